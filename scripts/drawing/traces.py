@@ -1,0 +1,121 @@
+"""flow_and_pressure: pressures above, flow below, and the numbers of the last beat beside them."""
+import itertools
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from . import style
+from .instants import choose_frames, last_beat, main_flow
+from .run_output import Missing, columns_like, leaflet_frames, read_table
+
+BEAT_ROWS = [  # label, columns, format, unit
+    ("stroke volume", ["stroke_volume_ml"], "{:.1f}", "ml"),
+    ("forward volume", ["forward_volume_ml"], "{:.1f}", "ml"),
+    ("closing volume", ["closing_volume_ml"], "{:.1f}", "ml"),
+    ("leak volume", ["leak_volume_ml"], "{:.1f}", "ml"),
+    ("peak flow", ["peak_flow_ml_s"], "{:.0f}", "ml/s"),
+    ("ejection time", ["ejection_time_s"], "{:.3f}", "s"),
+    ("mean gradient", ["mean_gradient_mmHg"], "{:.1f}", "mmHg"),
+    ("largest orifice", ["max_orifice_area_cm2"], "{:.2f}", "cm²"),
+    ("aorta, sys./dia.", ["p_ao_systolic_mmHg", "p_ao_diastolic_mmHg"], "{:.0f}/{:.0f}", "mmHg"),
+    ("aorta, mean", ["p_ao_mean_mmHg"], "{:.0f}", "mmHg"),
+]
+
+
+def draw(out, pictures):
+    table = read_table(out / "openings.csv")
+    try:
+        beats = read_table(out / "beats.csv")
+    except Missing:
+        beats = None
+    table = _last_beats(table, beats)
+    t = table["t_s"]
+    pressures, flows = columns_like(table, r"p_(.+)_mmHg"), columns_like(table, r"Q_(.+)_ml_s")
+    if not pressures or not flows:
+        raise Missing("openings.csv has no pressures or no flows")
+
+    figure, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(style.PAGE_WIDTH, 4.5),
+                                          gridspec_kw={"height_ratios": [1, 1.25]})
+    figure.subplots_adjust(left=0.09, right=0.74 if beats else 0.92, top=0.93, bottom=0.105, hspace=0.22)
+    _pressures(above, t, pressures)
+    _flows(below, t, flows, main_flow(table)[0])
+    _mark_instants(below, out, t, main_flow(table)[1])
+    if beats:
+        _shade_stroke(below, out, table)
+        _list_beat(figure, beats)
+    below.set_xlim(t[0], t[-1] if t[-1] > t[0] else t[0] + 1e-3)
+    below.set_xlabel("time (s)")
+    figure.align_ylabels([above, below])
+    style.save(figure, pictures, "flow_and_pressure", "svg")
+
+
+def _last_beats(table, beats, most=4):
+    """The rows from the start of the third beat from the end, where there are more than `most` beats."""
+    if not beats or len(beats["start_s"]) <= most:
+        return table
+    shown = table["t_s"] >= beats["start_s"][-3]
+    return {name: values[shown] for name, values in table.items() if not isinstance(values, list)}
+
+
+def _pressures(axes, t, pressures):
+    others = itertools.cycle(style.OTHERS)
+    for port, p in pressures.items():
+        axes.plot(t, p, color=style.port_color(port, others), label=style.port_label(port))
+    axes.set_ylabel("pressure (mmHg)")
+    axes.set_ylim(bottom=min(0, axes.get_ylim()[0]))
+    axes.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncol=4, borderaxespad=0, columnspacing=1.4)
+
+
+def _flows(axes, t, flows, main):
+    others = itertools.cycle(style.OTHERS)
+    axes.axhline(0, color=style.GREY, linewidth=0.6)
+    axes.plot(t, flows[main], color=style.FLOW, linewidth=1.6, label=style.port_label(main))
+    for name, q in flows.items():
+        if name != main:  # often the same to a hair: dashes let both be seen
+            axes.plot(t, q, color=style.port_color(name, others), linewidth=0.9, dashes=(4, 3),
+                      dash_capstyle="butt", label=style.port_label(name))
+    axes.set_ylabel("flow (ml/s)")
+    litres = axes.secondary_yaxis("right", functions=(lambda q: 0.06 * q, lambda q: q / 0.06))
+    litres.set_ylabel("flow (l/min)")
+    litres.spines["right"].set_visible(True)
+    if len(flows) > 1:
+        axes.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncol=4, borderaxespad=0, columnspacing=1.4)
+
+
+def _shade_stroke(axes, out, table):
+    """The area of the last beat's flow, which is its stroke volume."""
+    start, end = last_beat(out, table)
+    inside = (table["t_s"] >= start) & (table["t_s"] <= end)
+    axes.fill_between(table["t_s"][inside], 0, main_flow(table)[1][inside], color=style.FLOW, alpha=0.10, linewidth=0)
+
+
+def _mark_instants(axes, out, t, q):
+    """Dots with the letters of the leaflets' pictures."""
+    try:
+        chosen = choose_frames(out, leaflet_frames(out))
+    except Missing:
+        return
+    for letter, (_, time, _) in zip("abcdef", chosen):
+        value, slope = np.interp(time, t, q), np.interp(time + 0.01, t, q) - np.interp(time - 0.01, t, q)
+        steep = abs(slope) > 0.04 * np.ptp(q)
+        place = (-6 if slope > 0 else 6, 1) if steep else (0, 5) if value > -0.05 * np.ptp(q) else (8, -4)
+        axes.plot(time, value, "o", markersize=3.6, color="white", markeredgecolor=style.INK, markeredgewidth=0.9,
+                  zorder=5, clip_on=False)
+        axes.annotate(letter, (time, value), xytext=place, textcoords="offset points", ha="center", fontweight="bold")
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high + 0.06 * (high - low))
+
+
+def _list_beat(figure, beats):
+    last = {name: values[-1] for name, values in beats.items()}
+    top, step, left, right = 0.905, 0.052, 0.825, 0.985
+    number = int(last.get("beat", len(next(iter(beats.values())))))
+    figure.text(left, top, f"Beat {number}", fontweight="bold", va="top")
+    row = 1.25
+    for label, columns, form, unit in BEAT_ROWS:
+        values = [last.get(c, np.nan) for c in columns]
+        if any(isinstance(v, str) or not np.isfinite(v) for v in values):
+            continue
+        figure.text(left, top - row * step, label, va="top", fontsize=7.5, color=style.GREY)
+        figure.text(left, top - (row + 0.52) * step, f"{form.format(*values)} {unit}", va="top", fontsize=8.5)
+        row += 1.5

@@ -1,0 +1,32 @@
+#include "coupling/check.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands.hpp"
+
+namespace valsalva::app {
+
+void add_check(CLI::App& app, Chosen& chosen)
+{
+  auto arguments = std::make_shared<CaseArguments>();
+  CLI::App* command =
+      app.add_subcommand("check", "Validate a case and print what it will cost; runs nothing");
+  add_case_arguments(*command, *arguments);
+  command->callback([arguments, &chosen] {
+    chosen.action = [arguments](const Communicator& comm) {
+      const CaseFile case_file = read_case(*arguments);
+      try {
+        const std::string lines = coupling::describe_case(case_file);
+        if (comm.is_root()) fmt::print("{}{}", lines, lines.ends_with('\n') ? "" : "\n");
+      } catch (const CaseError& error) {
+        throw case_file.locate(error);
+      }
+      return 0;
+    };
+  });
+}
+
+}  // namespace valsalva::app

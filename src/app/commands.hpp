@@ -1,0 +1,41 @@
+// The subcommands of `valsalva`. Each `add_...` registers its options and, if the user chose it, leaves in
+// `chosen` what is to be done; main does it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common/case_file.hpp"
+#include "common/comm.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace valsalva::app {
+
+struct Chosen {
+  std::function<int(const Communicator&)> action;  ///< returns the exit code; collective
+  std::function<void()> afterwards;                ///< on rank 0 after MPI has ended, if all went well
+};
+
+void add_run(CLI::App& app, Chosen& chosen);
+void add_check(CLI::App& app, Chosen& chosen);
+void add_keys(CLI::App& app, Chosen& chosen);
+
+/// The case of a command line: `path` is a case file or a folder with a case.toml.
+struct CaseArguments {
+  std::string path;
+  std::vector<std::string> overrides;
+};
+
+/// Adds the case and its `--set key=value` to a subcommand.
+void add_case_arguments(CLI::App& command, CaseArguments& arguments);
+CaseFile read_case(const CaseArguments& arguments);
+std::string case_file_path(const CaseArguments& arguments);
+
+/// Runs /usr/bin/python3 `script` `out_dir`; a failure is a warning only.
+void draw_pictures(const std::string& script, const std::string& out_dir);
+
+}  // namespace valsalva::app

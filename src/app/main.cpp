@@ -1,0 +1,64 @@
+// valsalva: the front door. Reads the command line, does what the chosen subcommand says, reports errors
+// once. Exit codes: 0 done, 2 bad case or command line, 3 numerical failure, 4 input/output, 1 a mistake of
+// the program.
+#include <fmt/format.h>
+#include <mpi.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+#include "common/end_together.hpp"
+#include "common/nearest_name.hpp"
+#include "valsalva_version.hpp"
+
+namespace {
+
+using namespace valsalva;
+
+/// The exit code of a command line that ends here (--help, --version, a mistake), printed by one rank; -1 to
+/// go on.
+int parse(CLI::App& app, int argc, char** argv, const Communicator& comm)
+{
+  try {
+    app.parse(argc, argv);
+    return -1;
+  } catch (const CLI::ParseError& end) {
+    const bool is_question = end.get_exit_code() == 0;
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+    const std::string word = argc > 1 ? argv[1] : "";
+    const bool is_unknown = !word.starts_with("-") && !word.empty() && app.get_subcommands().empty();
+    if (comm.is_root() && !is_question && is_unknown)
+      fmt::print(stderr, "valsalva: no command '{}'{}; known are {}\n", word,
+                 common::did_you_mean(word, commands), common::one_of(commands));
+    else if (comm.is_root())
+      app.exit(end);
+    return is_question ? 0 : common::kCaseErrorCode;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  MPI_Init(&argc, &argv);
+  app::Chosen chosen;
+  int code = 0;
+  bool is_root = true;
+  {
+    const Communicator comm;
+    is_root = comm.is_root();
+    CLI::App app("Blood flow in the aortic root: immersed boundary 3D solver and lumped circulation");
+    app.set_version_flag("--version",
+                         fmt::format("valsalva {} ({})\n{}\n{}", kVersion, kGitHash, kCompiler, kLibraries));
+    app.require_subcommand(1);
+    app::add_run(app, chosen);
+    app::add_check(app, chosen);
+    app::add_keys(app, chosen);
+    code = parse(app, argc, argv, comm);
+    if (code < 0) code = common::end_together(comm, [&] { return chosen.action(comm); });
+  }
+  MPI_Finalize();
+  if (is_root && code == 0 && chosen.afterwards) chosen.afterwards();
+  return code;
+}

@@ -1,0 +1,51 @@
+#include "coupling/run.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands.hpp"
+#include "common/output_folder.hpp"
+#include "valsalva_version.hpp"
+
+namespace valsalva::app {
+
+namespace {
+
+struct RunArguments {
+  CaseArguments of_case;
+  coupling::RunOptions options;
+};
+
+int run(const RunArguments& arguments, Chosen& chosen, const Communicator& comm)
+{
+  const CaseFile case_file = read_case(arguments.of_case);
+  coupling::RunOptions options = arguments.options;
+  options.case_path = case_file.path();
+  if (options.out_dir.empty()) options.out_dir = common::usual_output_folder(options.case_path);
+  common::check_output_folder(options.out_dir, options.force, comm);
+  options.drawing_script = std::string(kSourceDir) + "/scripts/draw_run.py";
+  try {
+    const int code = coupling::run_case(case_file, options);
+    if (case_file.section("output").flag("pictures"))
+      chosen.afterwards = [options] { draw_pictures(options.drawing_script, options.out_dir); };
+    return code;
+  } catch (const CaseError& error) {
+    throw case_file.locate(error);
+  }
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Chosen& chosen)
+{
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command = app.add_subcommand("run", "Run a case (3D-0D, or 0D alone, as the case says)");
+  add_case_arguments(*command, arguments->of_case);
+  command->add_option("-o,--out", arguments->options.out_dir, "Output folder (default: out/<case>)");
+  command->add_flag("--force", arguments->options.force, "Replace the output of an earlier run");
+  command->callback([arguments, &chosen] {
+    chosen.action = [arguments, &chosen](const Communicator& comm) { return run(*arguments, chosen, comm); };
+  });
+}
+
+}  // namespace valsalva::app

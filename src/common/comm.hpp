@@ -1,0 +1,78 @@
+// The ranks of a run: a thin value over MPI_Comm with the few reductions that decisions need. Sums run in
+// rank order on every rank, so that the result is the same bit for bit on all ranks and in every repetition.
+// Works in programs that never call MPI_Init: there is one rank then.
+#pragma once
+
+#include <mpi.h>
+
+#include <vector>
+
+namespace valsalva::common {
+
+class Communicator {
+ public:
+  explicit Communicator(MPI_Comm comm = MPI_COMM_WORLD) : comm_(comm)
+  {
+    int running = 0, ended = 0;
+    MPI_Initialized(&running);
+    MPI_Finalized(&ended);
+    if (!running || ended) return;
+    MPI_Comm_rank(comm_, &rank_);
+    MPI_Comm_size(comm_, &size_);
+  }
+
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+  bool is_root() const { return rank_ == 0; }
+  MPI_Comm raw() const { return comm_; }
+
+  /// Sum over ranks in rank order. Collective.
+  double sum(double x) const
+  {
+    double total = 0.0;
+    for (double part : gather(x)) total += part;
+    return total;
+  }
+  /// Collective.
+  double max(double x) const { return reduce(x, MPI_MAX); }
+  /// Collective.
+  double min(double x) const { return reduce(x, MPI_MIN); }
+  /// True on all ranks if true on one. Collective.
+  bool any(bool on) const { return max(on ? 1.0 : 0.0) > 0.5; }
+  /// One number per rank, on all ranks. Collective.
+  std::vector<double> gather(double x) const
+  {
+    std::vector<double> all(static_cast<std::size_t>(size_), x);
+    if (size_ > 1) MPI_Allgather(&x, 1, MPI_DOUBLE, all.data(), 1, MPI_DOUBLE, comm_);
+    return all;
+  }
+  /// Rank 0's number, on all ranks. Collective.
+  double from_root(double x) const
+  {
+    if (size_ > 1) MPI_Bcast(&x, 1, MPI_DOUBLE, 0, comm_);
+    return x;
+  }
+  /// Collective.
+  void barrier() const
+  {
+    if (size_ > 1) MPI_Barrier(comm_);
+  }
+
+ private:
+  double reduce(double x, MPI_Op op) const
+  {
+    double result = x;
+    if (size_ > 1) MPI_Allreduce(&x, &result, 1, MPI_DOUBLE, op, comm_);
+    return result;
+  }
+
+  MPI_Comm comm_;
+  int rank_ = 0;
+  int size_ = 1;
+};
+
+}  // namespace valsalva::common
+
+namespace valsalva {
+using common::Communicator;
+}  // namespace valsalva

@@ -1,0 +1,31 @@
+#include "coupling/case_keys.hpp"
+
+#include "coupling/case_keys_parts.hpp"
+
+namespace valsalva::coupling {
+
+using common::KeyTable;
+
+namespace {
+
+KeyTable all_keys()
+{
+  KeyTable table;
+  table.sections.push_back(
+      {"", "About the case", {common::text("title", "One line about the case").or_else("")}});
+  for (auto& section : numerics_sections()) table.sections.push_back(section);
+  for (auto& section : structure_sections()) table.sections.push_back(section);
+  table.sections.push_back(output_section());
+  table.arrays = {opening_array(), element_array()};
+  return table;
+}
+
+}  // namespace
+
+const KeyTable& case_keys()
+{
+  static const KeyTable table = all_keys();
+  return table;
+}
+
+}  // namespace valsalva::coupling

@@ -1,0 +1,10 @@
+// All keys of a Valsalva case: the one place where they are named, with unit, range, default and meaning.
+#pragma once
+
+#include "common/case_key.hpp"
+
+namespace valsalva::coupling {
+
+const common::KeyTable& case_keys();
+
+}  // namespace valsalva::coupling

@@ -1,0 +1,60 @@
+#include "coupling/case_keys_parts.hpp"
+#include "lumped/element_types.hpp"
+
+namespace valsalva::coupling {
+
+using namespace common;
+
+namespace {
+
+Key key_of_kind(const lumped::ElementParameter& p)
+{
+  switch (p.kind) {
+    case lumped::ParameterKind::number:
+      return real(p.name, p.unit, p.meaning);
+    case lumped::ParameterKind::list:
+      return reals(p.name, p.unit, p.meaning);
+    case lumped::ParameterKind::word:
+      break;
+  }
+  return p.choices.empty() ? text(p.name, p.meaning) : choice(p.name, p.choices, p.meaning);
+}
+
+Key key_of(const lumped::ElementParameter& p)
+{
+  Key key = key_of_kind(p);
+  key.lowest = p.lowest;
+  key.highest = p.highest;
+  key.lowest_excluded = p.lowest_excluded;
+  if (p.usual) key = key.example(*p.usual);
+  // A default makes a parameter optional, whatever `required` says.
+  if (!p.default_word.empty()) return key.or_else(p.default_word.c_str());
+  if (p.default_number)
+    return p.kind == lumped::ParameterKind::list ? key.or_else(std::vector{*p.default_number})
+                                                 : key.or_else(*p.default_number);
+  return p.required ? key : key.optional();
+}
+
+}  // namespace
+
+KeyArray element_array()
+{
+  KeyArray array{"element",
+                 "An element of the lumped network; elements meet at nodes of the same name",
+                 {text("name", "Unique name of the element")},
+                 {}};
+  for (const lumped::ElementType& type : lumped::element_types()) {
+    std::vector<Key> keys;
+    for (const std::string& terminal : type.terminals) {
+      const bool only_one = type.terminals.size() == 1;
+      keys.push_back(text(terminal, only_one ? "Node the element is joined to"
+                                             : "Node at the element's " +
+                                                   std::string(terminal == "from" ? "inlet" : "outlet")));
+    }
+    for (const lumped::ElementParameter& parameter : type.parameters) keys.push_back(key_of(parameter));
+    array.variants.push_back({type.name, type.meaning, keys});
+  }
+  return array;
+}
+
+}  // namespace valsalva::coupling

@@ -1,0 +1,14 @@
+// `valsalva check`: what a case will build and cost, without running it.
+#pragma once
+
+#include <string>
+
+#include "common/case_file.hpp"
+
+namespace valsalva::coupling {
+
+/// Sizes of grid and structure, memory, stable step and estimated time, as lines for a terminal. Throws
+/// CaseError for everything that a run would refuse.
+std::string describe_case(const CaseFile& case_file);
+
+}  // namespace valsalva::coupling

@@ -1,0 +1,135 @@
+#include "coupling/coupled_model.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "common/error.hpp"
+#include "common/units.hpp"
+
+namespace valsalva::coupling {
+
+namespace {
+
+/// A step may grow by this factor over the one before it, so that the multistep weights stay mild.
+constexpr double kGrowth = 1.15;
+/// Beyond this CFL number a step has blown up.
+constexpr double kBlowUpCfl = 2.0;
+
+Eigen::VectorXd as_vector(const std::vector<double>& v)
+{
+  return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size()));
+}
+
+std::vector<double> in_dyn_cm2(const Eigen::VectorXd& p_mmHg)
+{
+  std::vector<double> p(static_cast<std::size_t>(p_mmHg.size()));
+  for (std::size_t m = 0; m < p.size(); ++m)
+    p[m] = common::dyn_cm2_from_mmHg(p_mmHg[static_cast<Eigen::Index>(m)]);
+  return p;
+}
+
+}  // namespace
+
+CoupledModel::CoupledModel(ib3d::RootSolver& root, Circulation& circulation, CouplingScheme scheme,
+                           const StepControl& control, Timers& timers)
+    : root_(root),
+      circulation_(circulation),
+      scheme_(scheme),
+      control_(control),
+      timers_(timers),
+      conductance_(common::kMmHg * root.fluid().modes().conductance())
+{
+  const std::vector<double> none(static_cast<std::size_t>(circulation.port_count()), 0.0);
+  interface_ = {circulation.state().t, circulation.pressures(none), none};
+  flow_before_ = none;
+}
+
+double CoupledModel::inertance(int m) const
+{
+  return 1 / conductance_(m, m);
+}
+
+ib3d::StepBound CoupledModel::next_step(double t_stop)
+{
+  ib3d::StepBound bound{control_.dt_max_s, ib3d::Limit::longest};
+  const auto limit = [&](double dt, ib3d::Limit by) {
+    if (dt < bound.dt) bound = {dt, by};
+  };
+  if (control_.dt_fixed_s > 0) {
+    bound = {control_.dt_fixed_s, ib3d::Limit::fixed};
+  } else {
+    if (root_.courant_rate() > 0) limit(control_.cfl / root_.courant_rate(), ib3d::Limit::cfl);
+    const double omega = root_.elastic_rate();
+    if (omega > 0) limit(control_.elastic_safety * 2 / omega, ib3d::Limit::elastic);
+    limit(ib3d::viscous_step_limit(root_.fluid().level(), root_.fluid().fluid()), ib3d::Limit::viscous);
+    if (dt_before_ > 0) limit(kGrowth * dt_before_, ib3d::Limit::growth);
+  }
+  const double left = std::min(t_stop, circulation_.network().next_kink(t())) - t();
+  const double steps = std::ceil(left / bound.dt * (1 - 1e-9));
+  if (steps <= 20) limit(left / std::max(1.0, steps), ib3d::Limit::target);
+  return bound;
+}
+
+/// Mean opening pressures over the step to come, for the flow extrapolated (implicit) or frozen (explicit).
+void CoupledModel::predict_pressures(double dt)
+{
+  const Eigen::VectorXd Q = as_vector(interface_.flow_ml_s);
+  if (scheme_ == CouplingScheme::explicit_) {
+    p_used_ = as_vector(circulation_.pressures(interface_.flow_ml_s));
+    return;
+  }
+  const double ratio = dt_before_ > 0 ? dt / dt_before_ : 0;
+  const Eigen::VectorXd Q_guess = Q + ratio * (Q - as_vector(flow_before_));
+  p_used_ = circulation_.mean_pressures(dt, interface_.flow_ml_s, Q_guess);
+}
+
+/// Numbers refer to docs/scheme.md.
+StepReport CoupledModel::advance(const ib3d::StepBound& step)
+{
+  const double dt = step.dt;
+  root_.begin_step(dt);  // (2.1)-(2.5): F = F[X], f = S F, u*
+
+  predict_pressures(dt);                                                         // (4.1)
+  const Eigen::VectorXd Q0 = as_vector(root_.solve_fluid(in_dyn_cm2(p_used_)));  // (3.1), (4.2)
+  const Eigen::MatrixXd G = dt * conductance_;
+  Eigen::VectorXd phi = Eigen::VectorXd::Zero(Q0.size());
+  if (scheme_ == CouplingScheme::implicit_) {
+    const auto scope = timers_.time("circulation");
+    phi = circulation_.close(dt, interface_.flow_ml_s, Q0, G, p_used_);  // (4.3)
+  }
+  root_.accept(in_dyn_cm2(phi));  // (3.2), (2.6): u^{n+1}, X^{n+1}
+
+  const Eigen::VectorXd Q = Q0 - G * phi;
+  flow_before_ = interface_.flow_ml_s;
+  interface_.flow_ml_s.assign(Q.data(), Q.data() + Q.size());
+  circulation_.advance(dt, flow_before_, interface_.flow_ml_s);  // (4.4)
+  interface_.t_s = t();
+  interface_.pressure_mmHg = circulation_.pressures(interface_.flow_ml_s);
+  dt_before_ = dt;
+  ++step_;
+  check_numbers(dt);
+  const ib3d::NavierStokes& fluid = root_.fluid();
+  return {step_,
+          t(),
+          dt,
+          step.limited_by,
+          root_.courant_rate() * dt,
+          fluid.pressure_report().iterations,
+          fluid.divergence_rms(),
+          fluid.divergence_max()};
+}
+
+void CoupledModel::check_numbers(double dt) const
+{
+  const double cfl = root_.courant_rate() * dt;
+  if (!std::isfinite(cfl) || cfl > kBlowUpCfl)
+    throw SolverError(
+        fmt::format("the velocity has blown up (CFL number {:.3g} after a step of {:.3g} s); use a smaller "
+                    "time.cfl or time.elastic_safety",
+                    cfl, dt));
+  for (double q : interface_.flow_ml_s)
+    if (!std::isfinite(q)) throw SolverError("the flow through an opening is not a finite number");
+}
+
+}  // namespace valsalva::coupling

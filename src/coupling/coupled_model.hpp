@@ -1,0 +1,71 @@
+// The 3D root and the 0D circulation as one model, stepped together; u, X and the network's states are all at
+// t^n between steps. Schemes (key coupling.scheme):
+//   implicit  the network's answer to the flow at the end of the step closes the step: second order, no
+//   stability limit explicit  pressures from the flow at t^n: first order, for comparison; stable while dt <
+//   dt*
+#pragma once
+
+#include <optional>
+
+#include "coupling/circulation.hpp"
+#include "coupling/interface_state.hpp"
+#include "ib3d/root_solver.hpp"
+
+namespace valsalva::coupling {
+
+enum class CouplingScheme { implicit_, explicit_ };
+
+struct StepControl {
+  double cfl = 0.4;             ///< largest CFL number
+  double elastic_safety = 0.9;  ///< share of the elastic bound 2/omega_max that is used
+  double dt_max_s = 2e-4;
+  double dt_fixed_s = 0;  ///< > 0: this step, no questions asked
+};
+
+struct StepReport {
+  long step = 0;
+  double t_s = 0, dt_s = 0;
+  ib3d::Limit limited_by = ib3d::Limit::longest;
+  double cfl = 0;
+  int iterations = 0;
+  double divergence_rms = 0, divergence_max = 0;
+};
+
+class CoupledModel {
+ public:
+  /// `root` and `circulation` must outlive the model; the ports of the circulation are the openings of the
+  /// root.
+  CoupledModel(ib3d::RootSolver& root, Circulation& circulation, CouplingScheme scheme,
+               const StepControl& control, Timers& timers);
+
+  /// The step that the bounds allow, shortened to land on `t_stop` and on the kinks of the sources.
+  ib3d::StepBound next_step(double t_stop);
+  /// One step t^n -> t^{n+1}. Collective. Throws SolverError when numbers go bad.
+  StepReport advance(const ib3d::StepBound& step);
+
+  double t() const { return circulation_.state().t; }
+  long step() const { return step_; }
+  const InterfaceState& interface() const { return interface_; }
+  const ib3d::RootSolver& root() const { return root_; }
+  const Circulation& circulation() const { return circulation_; }
+  /// Inertance seen from opening m, mmHg s^2/ml: what flow acceleration costs in pressure.
+  double inertance(int m) const;
+
+ private:
+  void predict_pressures(double dt);
+  void check_numbers(double dt) const;
+
+  ib3d::RootSolver& root_;
+  Circulation& circulation_;
+  CouplingScheme scheme_;
+  StepControl control_;
+  Timers& timers_;
+  Eigen::MatrixXd conductance_;  ///< W in ml/s^2 per mmHg
+  InterfaceState interface_;
+  std::vector<double> flow_before_;
+  Eigen::VectorXd p_used_;
+  double dt_before_ = 0;
+  long step_ = 0;
+};
+
+}  // namespace valsalva::coupling

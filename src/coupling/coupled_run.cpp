@@ -1,0 +1,139 @@
+#include "coupling/coupled_run.hpp"
+#include "common/comm.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "common/log.hpp"
+#include "common/output_folder.hpp"
+#include "common/progress.hpp"
+#include "common/stop_signal.hpp"
+#include "coupling/run_record.hpp"
+#include "coupling/snapshots.hpp"
+#include "coupling/traces.hpp"
+
+namespace valsalva::coupling {
+
+namespace {
+
+std::string progress_text(const StepReport& s, const Traces& traces, double ms_per_step,
+                          const std::string& eta)
+{
+  const BeatSample& now = traces.latest();
+  return fmt::format(
+      "step {:>6}  t {:.4f} s (beat {})  dt {:.1e} ({})  CFL {:.2f}  p_lv {:.1f} p_ao {:.1f} mmHg  Q {:.0f} "
+      "ml/s  {:.0f} "
+      "ms/step  ETA {}",
+      s.step, s.t_s, traces.beat(), s.dt_s, ib3d::limit_name(s.limited_by), s.cfl, now.p_ventricle_mmHg,
+      now.p_aorta_mmHg, now.flow_ml_s, ms_per_step, eta);
+}
+
+/// Adds to a numerical failure where it happened and what is safe.
+[[noreturn]] void fail_at(const CoupledModel& model, const std::string& folder, const SolverError& error)
+{
+  throw SolverError(fmt::format("step {}, t = {:.6g} s: {}. All output up to this time is in {}",
+                                model.step() + 1, model.t(), error.what(), folder));
+}
+
+}  // namespace
+
+std::string describe_model(CaseModel& m, const StepControl& control)
+{
+  const ib3d::Level& level = m.grid().finest();
+  std::string text = fmt::format("grid       {} x {} x {} cells of {:.5g} cm in {} box{}\n",
+                                 level.box.size(0), level.box.size(1), level.box.size(2), level.h,
+                                 level.patches.size(), level.patches.size() == 1 ? "" : "es");
+  const ib3d::FiberNetwork& n = m.structure().network;
+  text += fmt::format("structure  {} nodes, {} springs, {} beams, {} tethers\n", n.node_count(),
+                      n.springs.count(), n.beams.count(), n.tethers.count());
+  if (m.structure().is_root) {
+    const ib3d::LeafletShape& s = m.structure().closed;
+    text += fmt::format(
+        "leaflets   closed under {:.0f} mmHg: strain {:.3f} mean, {:.3f} largest; tension {:.2g} mean, "
+        "{:.2g} largest "
+        "dyn/cm; coaptation {:.2f} cm\n",
+        s.pressure_mmHg, s.circumferential_strain_mean, s.circumferential_strain_max, s.tension_mean,
+        s.tension_max, s.coaptation_height_cm);
+  }
+  const double omega = m.root().elastic_rate();
+  if (omega > 0)
+    text +=
+        fmt::format("step       elastic bound {:.2e} s at the start (2/omega_max; {:.0f} % of it is used)\n",
+                    2 / omega, 100 * control.elastic_safety);
+  if (m.circulation().port_count() > 0) {
+    const double L = m.model().inertance(0);
+    text += fmt::format("coupling   inertance of the domain {:.4g} mmHg s^2/ml\n", L);
+  }
+  return text;
+}
+
+int run_coupled(const CaseFile& c, const RunOptions& options)
+{
+  const Communicator comm;
+  Timers timers;
+  CaseModel model(c, comm.raw(), timers);
+  common::create_output_folder(options.out_dir, options.force, c.resolved_toml(), comm);
+  Log log(comm.is_root(), options.out_dir + "/log.txt");
+  common::catch_stop_signals();
+  log.line(c.section("").text("title"));
+  log.line(fmt::format("ranks      {}", comm.size()));
+  log.line(describe_model(model, step_control_from_case(c)));
+
+  const double end = c.section("time").real("end_s");
+  const double progress_every = c.section("output").real("progress_every_s");
+  Traces traces(options.out_dir, c, model, comm);
+  Snapshots snapshots(options.out_dir, c, model, comm);
+  CoupledModel& coupled = model.model();
+  RunRecord record{options.case_path,
+                   "running",
+                   0,
+                   0,
+                   0,
+                   model.grid().finest().cell_count(),
+                   model.structure().network.node_count()};
+  write_run_record(options.out_dir, record, comm);
+
+  const double begun = timers.wall();
+  double told = begun;
+  long told_step = 0;
+  bool stopped = false;
+  try {
+    snapshots.write_due();
+    while (coupled.t() < end - 1e-12 && !stopped) {
+      const double step_begun = timers.wall();
+      const StepReport step =
+          coupled.advance(coupled.next_step(std::min({end, snapshots.next_time(), traces.beat_end()})));
+      {
+        const auto scope = timers.time("output");
+        if (const auto beat = traces.record(step, timers.wall() - step_begun)) log.line(beat_text(*beat));
+        snapshots.write_due();
+      }
+      const double now = timers.wall();
+      if (now - told > progress_every) {
+        const double ms = 1e3 * (now - told) / static_cast<double>(step.step - told_step);
+        log.line(progress_text(step, traces, ms, common::eta_text(coupled.t() / end, now - begun)));
+        told = now;
+        told_step = step.step;
+      }
+      stopped = comm.any(common::stop_requested());
+    }
+  } catch (const SolverError& error) {
+    traces.flush();
+    fail_at(coupled, options.out_dir, error);
+  }
+  if (const auto beat = traces.finish()) log.line(beat_text(*beat));
+  record.outcome = stopped ? "stopped by a signal" : "finished";
+  record.t_s = coupled.t();
+  record.steps = coupled.step();
+  record.wall_s = timers.wall();
+  write_run_record(options.out_dir, record, comm);
+  log.line(timers.table());
+  if (stopped)
+    log.line(
+        fmt::format("stopped at t = {:.4f} s by a signal; all output is complete up to there", coupled.t()));
+  log.line("results in " + options.out_dir);
+  return 0;
+}
+
+}  // namespace valsalva::coupling

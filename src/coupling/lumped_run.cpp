@@ -1,0 +1,115 @@
+#include "coupling/lumped_run.hpp"
+#include "common/comm.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/log.hpp"
+#include "common/output_folder.hpp"
+#include "common/stop_signal.hpp"
+#include "common/time_series.hpp"
+#include "coupling/beat_metrics.hpp"
+#include "coupling/run_record.hpp"
+
+namespace valsalva::coupling {
+
+namespace {
+
+constexpr double kSampleInterval_s = 1e-3;
+
+/// Which of the network's observables play the part of the aortic valve's flow and of the pressures beside
+/// it: the first valve that leads to the node of the first Windkessel.
+struct AorticValve {
+  int flow = -1, p_ventricle = -1, p_aorta = -1;
+  AorticValve(const lumped::NetworkSpec& spec, const lumped::LumpedNetwork& network)
+  {
+    const auto find = [&](const std::string& name) {
+      const auto& all = network.observables();
+      const auto it = std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
+      return it == all.end() ? -1 : static_cast<int>(it - all.begin());
+    };
+    for (const lumped::ElementSpec& w : spec.elements) {
+      if (w.type != "windkessel3") continue;
+      const std::string& aorta = w.nodes.at("node");
+      for (const lumped::ElementSpec& v : spec.elements) {
+        if (v.type != "valve" || v.nodes.at("to") != aorta) continue;
+        flow = find("Q_" + v.name + "_ml_s");
+        p_ventricle = find("p_" + v.nodes.at("from") + "_mmHg");
+        p_aorta = find("p_" + aorta + "_mmHg");
+        return;
+      }
+    }
+  }
+};
+
+}  // namespace
+
+int run_lumped(const CaseFile& c, const RunOptions& options)
+{
+  const Communicator comm;
+  const Timers timers;
+  const lumped::NetworkSpec spec = network_from_case(c);
+  const lumped::LumpedNetwork network(spec);
+  common::create_output_folder(options.out_dir, options.force, c.resolved_toml(), comm);
+  common::catch_stop_signals();
+  Log log(comm.is_root(), options.out_dir + "/log.txt");
+  log.line(c.section("").text("title"));
+  log.line(fmt::format("0D only: {} states, {} nodes, {} valves\n", network.state_count(),
+                       network.node_count(), network.valve_count()));
+
+  const double end = c.section("time").real("end_s");
+  lumped::LumpedState state = network.initial_state();
+  long steps = 0;
+  bool stopped = false;
+  if (comm.is_root()) {
+    std::vector<std::string> names{"t_s"};
+    for (const auto& q : network.observables()) names.push_back(q.name);
+    for (const auto& s : network.states()) names.push_back(s.name);
+    TimeSeriesWriter traces(options.out_dir + "/openings.csv", names);
+    TimeSeriesWriter beats(options.out_dir + "/beats.csv", beat_columns());
+    const AorticValve valve(spec, network);
+    std::vector<BeatSample> samples;
+    const auto record = [&] {
+      const std::vector<double> seen = network.observe(state, {});
+      std::vector<double> row{state.t};
+      row.insert(row.end(), seen.begin(), seen.end());
+      row.insert(row.end(), state.y.begin(), state.y.end());
+      traces.add(row);
+      const auto at = [&](int n) { return n < 0 ? 0.0 : seen[static_cast<std::size_t>(n)]; };
+      samples.push_back({state.t, at(valve.flow), at(valve.p_ventricle), at(valve.p_aorta), -1, 0});
+    };
+    record();
+    lumped::CvodeIntegrator integrator(network);
+    for (int beat = 1; state.t < end - 1e-12 && !stopped; ++beat) {
+      const double stop = std::min(end, beat * spec.period_s);
+      const double begin = state.t;
+      const long rows = std::lround(std::ceil((stop - begin) / kSampleInterval_s));
+      for (long n = 1; n <= rows && !stopped; ++n, ++steps) {
+        integrator.advance(
+            state,
+            n == rows ? stop : begin + (stop - begin) * static_cast<double>(n) / static_cast<double>(rows),
+            {}, {});
+        record();
+        stopped = common::stop_requested();
+      }
+      const BeatMetrics metrics = measure_beat(beat, samples);
+      if (valve.flow >= 0) {
+        beats.add(beat_row(metrics));
+        log.line(beat_text(metrics));
+      }
+      samples = {samples.back()};
+    }
+    traces.flush();
+    beats.flush();
+  }
+  write_run_record(
+      options.out_dir,
+      {options.case_path, stopped ? "stopped by a signal" : "finished", state.t, timers.wall(), steps, 0, 0},
+      comm);
+  log.line("results in " + options.out_dir);
+  return 0;
+}
+
+}  // namespace valsalva::coupling

@@ -1,0 +1,13 @@
+// A purely 0D run: the network of a case alone, through the same command, with the same openings.csv and
+// beats.csv.
+#pragma once
+
+#include "coupling/model_from_case.hpp"
+#include "coupling/run.hpp"
+
+namespace valsalva::coupling {
+
+/// As `run_case`, for a case without openings. Rank 0 computes; collective.
+int run_lumped(const CaseFile& c, const RunOptions& options);
+
+}  // namespace valsalva::coupling

@@ -1,0 +1,204 @@
+#include "coupling/model_from_case.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "common/error.hpp"
+#include "ib3d/structure/fiber_files.hpp"
+#include "lumped/element_types.hpp"
+
+namespace valsalva::coupling {
+
+namespace {
+
+ib3d::FluidParameters fluid_from_case(const CaseFile& c)
+{
+  const CaseTable& t = c.section("fluid");
+  return {t.real("density_g_cm3"), t.real("viscosity_g_cm_s"), t.text("advection") != "none"};
+}
+
+ib3d::PressureOptions pressure_from_case(const CaseFile& c)
+{
+  const CaseTable& t = c.section("pressure");
+  return {t.text("solver"), t.real("divergence_tolerance_1_s"), t.integer("max_iterations")};
+}
+
+ib3d::RootDimensions root_dimensions(const CaseFile& c, const ib3d::Domain& domain)
+{
+  const CaseTable& t = c.section("root");
+  ib3d::RootDimensions d;
+  d.annulus_radius = t.real("annulus_radius_cm");
+  d.annulus_z = t.real("annulus_z_cm");
+  d.commissure_height = t.real("commissure_height_cm");
+  d.sinus_end_z = t.real("sinus_end_z_cm");
+  d.sinus_bulge = t.real("sinus_bulge_cm");
+  d.ascending_radius = t.real("ascending_radius_cm");
+  d.end_flare_spacings = t.real("end_flare_spacings");
+  d.center[0] = t.reals("center_cm")[0];
+  d.center[1] = t.reals("center_cm")[1];
+  d.length = domain.size[2];
+  return d;
+}
+
+ib3d::WallMaterial wall_material(const CaseFile& c)
+{
+  const CaseTable& t = c.section("wall");
+  return {t.real("tether_dyn_cm3"), t.integer("layers"), t.real("spacing_h")};
+}
+
+ib3d::LeafletMaterial leaflet_material(const CaseFile& c)
+{
+  const CaseTable& t = c.section("leaflets");
+  ib3d::LeafletMaterial m;
+  m.circumferential_stiffness = t.real("circumferential_stiffness_dyn_cm");
+  m.radial_stiffness = t.real("radial_stiffness_dyn_cm");
+  m.circumferential_bending = t.real("bending_rows_dyn_cm");
+  m.radial_bending = t.real("bending_columns_dyn_cm");
+  m.circumferential_rest_ratio = t.real("belly_ratio");
+  m.free_edge_rest_ratio = t.real("free_edge_ratio");
+  m.radial_rest_ratio = t.real("radial_ratio");
+  m.edge_tether_ratio = t.real("edge_tether_dyn_cm3") / c.section("wall").real("tether_dyn_cm3");
+  m.start_pressure_mmHg = t.real("start_pressure_mmHg");
+  return m;
+}
+
+/// Every node must lie in the box; the tube may touch its sides.
+void check_inside(const CaseFile& c, const ib3d::FiberNetwork& network, const ib3d::Domain& domain, double h)
+{
+  for (const Vec3& x : network.X)
+    for (int d = 0; d < 3; ++d)
+      if (x[d] < -1e-9 * h || x[d] > domain.size[d] + 1e-9 * h)
+        throw CaseError({c.section("domain").problem(
+            "size_cm",
+            fmt::format(
+                "holds the fluid in 0 to {:.4g} cm along {}, but the structure reaches {:.4g} cm; make "
+                "the box larger or move the structure ({})",
+                domain.size[d], "xyz"[d], x[d],
+                c.section("structure").text("kind") == "files" ? "in its .vertex file"
+                                                               : "[root], center_cm and lengths"))});
+}
+
+}  // namespace
+
+bool is_lumped(const CaseFile& c)
+{
+  return c.tables("opening").empty();
+}
+
+lumped::NetworkSpec network_from_case(const CaseFile& c)
+{
+  lumped::NetworkSpec spec;
+  const CaseTable& time = c.section("time");
+  spec.period_s = time.real("period_s") > 0 ? time.real("period_s") : time.real("end_s");
+  for (const CaseTable& t : c.tables("element")) {
+    lumped::ElementSpec element;
+    element.name = t.text("name");
+    element.type = t.text("type");
+    const lumped::ElementType* type = lumped::find_element_type(element.type);
+    for (const std::string& terminal : type->terminals) element.nodes[terminal] = t.text(terminal);
+    for (const lumped::ElementParameter& p : type->parameters) {
+      if (!t.has(p.name)) continue;
+      switch (p.kind) {
+        case lumped::ParameterKind::number:
+          element.numbers[p.name] = t.real(p.name);
+          break;
+        case lumped::ParameterKind::list:
+          element.lists[p.name] = t.reals(p.name);
+          break;
+        case lumped::ParameterKind::word:
+          element.words[p.name] = t.text(p.name);
+          break;
+      }
+    }
+    spec.elements.push_back(std::move(element));
+  }
+  for (const CaseTable& t : c.tables("opening")) spec.ports.push_back(t.text("port"));
+  return spec;
+}
+
+ib3d::Domain domain_from_case(const CaseFile& c)
+{
+  const CaseTable& t = c.section("domain");
+  ib3d::Domain domain;
+  for (int d = 0; d < 3; ++d) domain.size[d] = t.reals("size_cm")[static_cast<std::size_t>(d)];
+  const std::string& sides = t.text("sides");
+  domain.sides.fill(ib3d::SideKind::wall);
+  for (std::size_t s = 0; s < 4; ++s)
+    domain.sides[s] = sides == "open"       ? ib3d::SideKind::open
+                      : sides == "periodic" ? ib3d::SideKind::periodic
+                                            : ib3d::SideKind::wall;
+  return domain;
+}
+
+std::vector<ib3d::Opening> openings_from_case(const CaseFile& c, const ib3d::Domain& domain)
+{
+  std::vector<ib3d::Opening> openings;
+  std::vector<CaseProblem> problems;
+  for (const CaseTable& t : c.tables("opening")) {
+    const std::vector<double>& center = t.reals("center_cm");
+    const double r = t.real("radius_cm");
+    openings.push_back(
+        {t.text("name"), t.text("side") == "z_lo" ? 4 : 5, {center[0], center[1], 0}, r, t.text("port")});
+    for (std::size_t d = 0; d < 2; ++d)
+      if (center[d] - r < 0 || center[d] + r > domain.size[static_cast<int>(d)])
+        problems.push_back(t.problem(
+            "radius_cm",
+            fmt::format(
+                "puts the disc outside the box: it reaches from {:.4g} to {:.4g} cm along {}, the box "
+                "from 0 to {:.4g} cm; use a smaller disc or a larger domain.size_cm",
+                center[d] - r, center[d] + r, "xy"[d], domain.size[static_cast<int>(d)])));
+    for (std::size_t m = 0; m + 1 < openings.size(); ++m) {
+      const ib3d::Opening &a = openings[m], &b = openings.back();
+      if (a.side == b.side && norm(a.center - b.center) < a.radius + b.radius)
+        problems.push_back(
+            t.problem("center_cm", fmt::format("lets the disc overlap that of opening \"{}\"", a.name)));
+    }
+  }
+  if (!problems.empty()) throw CaseError(problems);
+  return openings;
+}
+
+StepControl step_control_from_case(const CaseFile& c)
+{
+  const CaseTable& t = c.section("time");
+  return {t.real("cfl"), t.real("elastic_safety"), t.real("dt_max_s"), t.real("dt_fixed_s")};
+}
+
+Structure structure_from_case(const CaseFile& c, const ib3d::Domain& domain, double h)
+{
+  const CaseTable& t = c.section("structure");
+  Structure structure;
+  if (t.text("kind") == "aortic_root") {
+    ib3d::AorticRoot root =
+        ib3d::design_aortic_root(root_dimensions(c, domain), leaflet_material(c), wall_material(c), h);
+    structure = {std::move(root.network), root.closed, root.start, true};
+  } else if (t.text("kind") == "files") {
+    if (t.text("files_prefix").empty())
+      throw CaseError({t.problem("files_prefix",
+                                 "is empty; name the fibre files, for instance \"valve\" for valve.vertex")});
+    structure.network =
+        ib3d::read_fiber_files((std::filesystem::path(c.folder()) / t.text("files_prefix")).string());
+  }
+  check_inside(c, structure.network, domain, h);
+  return structure;
+}
+
+CaseModel::CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers)
+    : circulation_(network_from_case(c)),
+      domain_(domain_from_case(c)),
+      grid_(domain_, c.section("grid").real("finest_cm"), comm),
+      structure_(structure_from_case(c, domain_, grid_.finest().h)),
+      root_(grid_.finest(), openings_from_case(c, domain_), fluid_from_case(c), pressure_from_case(c),
+            structure_.network,
+            c.section("structure").text("scheme") == "midpoint" ? ib3d::StructureScheme::midpoint
+                                                                : ib3d::StructureScheme::leapfrog,
+            timers),
+      model_(root_, circulation_,
+             c.section("coupling").text("scheme") == "explicit" ? CouplingScheme::explicit_
+                                                                : CouplingScheme::implicit_,
+             step_control_from_case(c), timers)
+{
+}
+
+}  // namespace valsalva::coupling

@@ -1,0 +1,52 @@
+// From the case file to the objects of a run: the only place where keys and their units become CGS structs.
+// A case without [[opening]] is purely 0D. Every function throws CaseError with the place of what is wrong.
+#pragma once
+
+#include <mpi.h>
+
+#include "common/case_file.hpp"
+#include "coupling/coupled_model.hpp"
+#include "ib3d/structure/aortic_root.hpp"
+
+namespace valsalva::coupling {
+
+bool is_lumped(const CaseFile& c);
+
+/// The 0D network; its ports are those of the openings, in their order.
+lumped::NetworkSpec network_from_case(const CaseFile& c);
+
+ib3d::Domain domain_from_case(const CaseFile& c);
+std::vector<ib3d::Opening> openings_from_case(const CaseFile& c, const ib3d::Domain& domain);
+StepControl step_control_from_case(const CaseFile& c);
+
+/// The elastic structure and, for the aortic root, what form-finding found.
+struct Structure {
+  ib3d::FiberNetwork network;
+  ib3d::LeafletShape closed, start;  ///< of kind "aortic_root" only
+  bool is_root = false;
+};
+Structure structure_from_case(const CaseFile& c, const ib3d::Domain& domain, double h);
+
+/// Everything of a coupled run, built and owned together. Collective.
+class CaseModel {
+ public:
+  CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers);
+  CaseModel(const CaseModel&) = delete;
+  CaseModel& operator=(const CaseModel&) = delete;
+
+  const ib3d::Hierarchy& grid() const { return grid_; }
+  const Structure& structure() const { return structure_; }
+  ib3d::RootSolver& root() { return root_; }
+  Circulation& circulation() { return circulation_; }
+  CoupledModel& model() { return model_; }
+
+ private:
+  Circulation circulation_;
+  ib3d::Domain domain_;
+  ib3d::Hierarchy grid_;
+  Structure structure_;
+  ib3d::RootSolver root_;
+  CoupledModel model_;
+};
+
+}  // namespace valsalva::coupling

@@ -1,0 +1,22 @@
+// `valsalva run`: a case from its start to its end, with all its output. Collective.
+#pragma once
+
+#include <string>
+
+#include "common/case_file.hpp"
+
+namespace valsalva::coupling {
+
+struct RunOptions {
+  std::string case_path;
+  std::string out_dir;
+  bool force = false;          ///< replace what is in `out_dir`
+  std::string drawing_script;  ///< draws the pictures when the run has ended; may be missing
+};
+
+/// Runs the case and writes into `options.out_dir`, which this call creates. Returns the exit code: 0, also
+/// after a signal has ended the run early with all output complete. Throws CaseError (the same on all ranks),
+/// SolverError, IoError.
+int run_case(const CaseFile& case_file, const RunOptions& options);
+
+}  // namespace valsalva::coupling

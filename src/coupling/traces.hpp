@@ -1,0 +1,49 @@
+// The CSV traces of a coupled run: step.csv, openings.csv, probes.csv, and beats.csv from them.
+// Every flow is positive along +z, from the ventricle to the aorta. Rank 0 writes; all calls are collective.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "common/comm.hpp"
+#include "common/time_series.hpp"
+#include "coupling/beat_metrics.hpp"
+#include "coupling/model_from_case.hpp"
+
+namespace valsalva::coupling {
+
+class Traces {
+ public:
+  /// Creates the files in `folder` and writes the row of t = 0.
+  Traces(const std::string& folder, const CaseFile& c, CaseModel& model, const Communicator& comm);
+
+  /// One more step; returns the beat's metrics when the step ends a beat.
+  std::optional<BeatMetrics> record(const StepReport& step, double wall_s);
+  /// The row of the beat under way, when the run ends within it; returns its metrics.
+  std::optional<BeatMetrics> finish();
+  void flush();
+
+  /// The latest sample, for the progress line.
+  const BeatSample& latest() const { return samples_.back(); }
+  int beat() const { return beat_; }
+  /// The end of the beat under way (s): steps should land on it.
+  double beat_end() const { return beat_ * period_s_; }
+
+ private:
+  void write_row(const StepReport& step, double wall_s);
+  std::vector<double> probe_row();
+  BeatMetrics close_beat();
+
+  CaseModel& model_;
+  Communicator comm_;
+  double period_s_;
+  int every_, beat_ = 1;
+  std::vector<double> probes_z_, center_;
+  double valve_radius_ = 0, upstream_z_ = 0, downstream_z_ = 0, downstream_radius_ = 0;
+  std::vector<int> edge_nodes_;
+  std::optional<TimeSeriesWriter> steps_, openings_, probes_, beats_;  ///< on rank 0
+  std::vector<BeatSample> samples_;
+  double q_upstream_ = 0, q_downstream_ = 0, orifice_ = -1;
+};
+
+}  // namespace valsalva::coupling

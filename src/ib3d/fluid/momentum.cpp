@@ -1,0 +1,65 @@
+#include "ib3d/fluid/momentum.hpp"
+
+#include <cmath>
+
+#include "ib3d/fluid/advection.hpp"
+
+namespace valsalva::ib3d {
+
+void advance_momentum(const Level& level, const FluidParameters& fluid, const MacField& u, const MacField& f,
+                      double dt, double w1, MacField& rate, MacField& u_star)
+{
+  const double convection = fluid.advection ? -1 / level.h : 0.0;
+  const double diffusion = fluid.viscosity / (fluid.density * level.h * level.h);
+  const double now = dt * (1 - w1), before = dt * w1, force = dt / fluid.density;
+  for (int p = 0; p < level.local_count(); ++p)
+    for (int c = 0; c < 3; ++c) {
+      const IndexBox box = faces_of(level.local_box(p), c);
+      const std::ptrdiff_t sy = u(p, c).stride(1), sz = u(p, c).stride(2);
+      for_each_convected_row({&u(p, 0), &u(p, 1), &u(p, 2)}, c, box, [&](int j, int k, const double* div) {
+        const int i0 = box.lo[0], n = box.size(0);
+        const double* __restrict q = u(p, c).at(i0, j, k);
+        const double* __restrict fc = f(p, c).at(i0, j, k);
+        double* __restrict g = rate(p, c).at(i0, j, k);
+        double* __restrict out = u_star(p, c).at(i0, j, k);
+        for (int i = 0; i < n; ++i) {
+          const double lap =
+              (q[i - 1] + q[i + 1]) + (q[i - sy] + q[i + sy]) + (q[i - sz] + q[i + sz]) - 6 * q[i];
+          const double rate_now = convection * div[i] + diffusion * lap;
+          out[i] = q[i] + now * rate_now + before * g[i] + force * fc[i];
+          g[i] = rate_now;
+        }
+      });
+    }
+}
+
+double viscous_step_limit(const Level& level, const FluidParameters& fluid)
+{
+  return 0.5 * fluid.density * level.h * level.h / (6 * fluid.viscosity);
+}
+
+double courant_rate(const Level& level, const MacField& u)
+{
+  double largest = 0;
+  for (int p = 0; p < level.local_count(); ++p) {
+    const IndexBox& box = level.local_box(p);
+    const std::ptrdiff_t sy = u(p, 1).stride(1), sz = u(p, 2).stride(2);
+    for_each_row(box, [&](int j, int k) {
+      const double* a = u(p, 0).at(box.lo[0], j, k);
+      const double* b = u(p, 1).at(box.lo[0], j, k);
+      const double* c = u(p, 2).at(box.lo[0], j, k);
+      double row = 0;
+#pragma omp simd reduction(max : row)
+      for (int i = 0; i < box.size(0); ++i) {
+        const double x = std::max(std::abs(a[i]), std::abs(a[i + 1]));
+        const double y = std::max(std::abs(b[i]), std::abs(b[i + sy]));
+        const double z = std::max(std::abs(c[i]), std::abs(c[i + sz]));
+        row = std::max(row, x + y + z);
+      }
+      largest = std::max(largest, row);
+    });
+  }
+  return largest / level.h;
+}
+
+}  // namespace valsalva::ib3d

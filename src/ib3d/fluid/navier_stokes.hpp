@@ -1,0 +1,66 @@
+// One projection step of the incompressible Navier-Stokes equations on the MAC grid, for given force density
+// and opening pressures (docs/scheme.md, section 2):
+//     u*      = u^n + dt [ 3/2 G^n - 1/2 G^{n-1} + f/rho ]        begin_step (variable-step weights)
+//     lap p   = (rho/dt) div u*,  p = p_k on opening k            solve_pressure -> flows Q0
+//     u^{n+1} = u* - (dt/rho) grad p                              finish_step(phi)
+// The whole pressure is solved for in each step, so there is no splitting error; the superposition of opening
+// modes lets the coupling correct the opening pressures by phi between the last two calls. All calls are
+// collective.
+#pragma once
+
+#include "ib3d/fluid/momentum.hpp"
+#include "ib3d/fluid/opening_modes.hpp"
+
+namespace valsalva::ib3d {
+
+class NavierStokes {
+ public:
+  NavierStokes(const Level& level, std::vector<Opening> openings, const FluidParameters& fluid,
+               const PressureOptions& pressure);
+
+  /// u* from u^n; f in dyn/cm^3 on the faces.
+  void begin_step(const MacField& f, double dt);
+  /// Solves for p with these mean opening pressures (dyn/cm^2, one per opening) and returns the flows (ml/s,
+  /// outward) that would result. On inflow with a non-uniform profile the pressure on a face is lowered by
+  /// rho (w|w| - W|W|), w the inward velocity and W its mean over the disc: neutral for plug flow, it keeps
+  /// recirculation at an opening from growing.
+  std::vector<double> solve_pressure(const std::vector<double>& opening_pressure);
+  /// Adds phi (dyn/cm^2) to the opening pressures by superposition, corrects the velocity and makes it
+  /// current.
+  void finish_step(const std::vector<double>& phi);
+
+  const MacField& u() const { return u_; }             ///< u^n, ghosts filled
+  const MacField& u_before() const { return u_new_; }  ///< u^{n-1} after finish_step, ghosts filled
+  const CellField<double>& p() const { return p_; }
+  const KrylovReport& pressure_report() const { return report_; }
+  /// rms and largest divergence (1/s) that the last pressure solve left behind.
+  double divergence_rms() const { return report_.final_rms * dt_ / fluid_.density; }
+  double divergence_max() const { return report_.final_max * dt_ / fluid_.density; }
+
+  const Level& level() const { return level_; }
+  const std::vector<Opening>& openings() const { return openings_; }
+  const FluidParameters& fluid() const { return fluid_; }
+  const OpeningModes& modes() const { return modes_; }
+
+  /// Replaces the velocity (all owned faces), forgetting the history: for initial conditions and tests.
+  void set_velocity(const MacField& u);
+
+ private:
+  void prescribe(const std::vector<double>& opening_pressure);
+  void pressure_residual();
+  void fill_velocity_ghosts(MacField& u) const;
+
+  Level level_;
+  std::vector<Opening> openings_;
+  FluidParameters fluid_;
+  PressureSolver solver_;
+  OpeningModes modes_;
+  Halo faces_;
+  MacField u_, u_new_, rate_;
+  CellField<double> p_, p_before_, residual_;
+  BoundaryPressure p_b_;
+  KrylovReport report_;
+  double dt_ = 0, dt_before_ = 0;
+};
+
+}  // namespace valsalva::ib3d

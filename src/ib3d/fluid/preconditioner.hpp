@@ -1,0 +1,17 @@
+// What flexible CG needs of a preconditioner of the pressure problem: z ~ A^{-1} r, with A = 6 - neighbours
+// (no 1/h^2). r is O(1): the solver scales it, so single precision inside is safe.
+#pragma once
+
+#include "ib3d/grid/fields.hpp"
+
+namespace valsalva::ib3d {
+
+class Preconditioner {
+ public:
+  virtual ~Preconditioner() = default;
+  /// z = approximate solution of A z = r; ghosts of r are not read, those of z are left undefined.
+  /// Collective.
+  virtual void apply(const CellField<double>& r, CellField<float>& z) = 0;
+};
+
+}  // namespace valsalva::ib3d

@@ -1,0 +1,119 @@
+// Fields on one level: contiguous storage per local patch, ghosts included, i fastest.
+//   Array3      one scalar on the indices of a stored box
+//   CellField   one scalar per cell: pressure (dyn/cm^2), divergence (1/s), ...
+//   MacField    one vector component per face: velocity (cm/s) or force density (dyn/cm^3); component d sits
+//   on
+//               the faces normal to d, face index i being the low face of cell i
+// All arrays of a patch have the same shape (the box grown by the ghosts, one more at the high end), so that
+// one linear index serves the three components and the cells in the kernels. Ghosts are valid only after
+// `Halo::fill` and the boundary fill. A patch owns its low faces; its high faces belong to the neighbour, or
+// to itself at a domain side that is not periodic.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "ib3d/grid/hierarchy.hpp"
+
+namespace valsalva::ib3d {
+
+/// Ghost layers of velocities: 2 for the delta support and the limited fluxes, 1 for drifting nodes.
+inline constexpr int kMacGhosts = 3;
+
+template <class T>
+class Array3 {
+ public:
+  Array3() = default;
+  explicit Array3(const IndexBox& stored)
+      : stored_(stored),
+        stride_y_(stored.size(0)),
+        stride_z_(static_cast<std::ptrdiff_t>(stored.size(0)) * stored.size(1)),
+        data_(static_cast<std::size_t>(stored.volume()), T{})
+  {
+  }
+  const IndexBox& stored() const { return stored_; }
+  std::ptrdiff_t offset(int i, int j, int k) const
+  {
+    return (i - stored_.lo[0]) + (j - stored_.lo[1]) * stride_y_ + (k - stored_.lo[2]) * stride_z_;
+  }
+  T& operator()(int i, int j, int k) { return data_[static_cast<std::size_t>(offset(i, j, k))]; }
+  T operator()(int i, int j, int k) const { return data_[static_cast<std::size_t>(offset(i, j, k))]; }
+  /// Address of index (i, j, k), for kernels that walk along x.
+  T* at(int i, int j, int k) { return data_.data() + offset(i, j, k); }
+  const T* at(int i, int j, int k) const { return data_.data() + offset(i, j, k); }
+  /// Distance in memory between neighbours along direction d.
+  std::ptrdiff_t stride(int d) const { return d == 0 ? 1 : d == 1 ? stride_y_ : stride_z_; }
+  void set_zero() { data_.assign(data_.size(), T{}); }
+  std::vector<T>& data() { return data_; }
+  const std::vector<T>& data() const { return data_; }
+
+ private:
+  IndexBox stored_;
+  std::ptrdiff_t stride_y_ = 0, stride_z_ = 0;
+  std::vector<T> data_;
+};
+
+inline IndexBox stored_box(const IndexBox& cells, int ghosts)
+{
+  IndexBox b = cells.grown(ghosts);
+  for (int& h : b.hi) ++h;
+  return b;
+}
+
+template <class T>
+class CellField {
+ public:
+  CellField() = default;
+  explicit CellField(const Level& level, int ghosts = 1) : ghosts_(ghosts)
+  {
+    for (int p = 0; p < level.local_count(); ++p) patch_.emplace_back(stored_box(level.local_box(p), ghosts));
+  }
+  int ghosts() const { return ghosts_; }
+  int patch_count() const { return static_cast<int>(patch_.size()); }
+  Array3<T>& operator[](int p) { return patch_[static_cast<std::size_t>(p)]; }
+  const Array3<T>& operator[](int p) const { return patch_[static_cast<std::size_t>(p)]; }
+  void set_zero()
+  {
+    for (Array3<T>& a : patch_) a.set_zero();
+  }
+
+ private:
+  int ghosts_ = 0;
+  std::vector<Array3<T>> patch_;
+};
+
+class MacField {
+ public:
+  MacField() = default;
+  explicit MacField(const Level& level, int ghosts = kMacGhosts)
+      : component_{CellField<double>(level, ghosts), CellField<double>(level, ghosts),
+                   CellField<double>(level, ghosts)}
+  {
+  }
+  int ghosts() const { return component_[0].ghosts(); }
+  int patch_count() const { return component_[0].patch_count(); }
+  /// Component d on local patch p.
+  Array3<double>& operator()(int p, int d) { return component_[static_cast<std::size_t>(d)][p]; }
+  const Array3<double>& operator()(int p, int d) const { return component_[static_cast<std::size_t>(d)][p]; }
+  void set_zero()
+  {
+    for (auto& c : component_) c.set_zero();
+  }
+
+ private:
+  std::array<CellField<double>, 3> component_;
+};
+
+/// All faces normal to d of the cells of a box, the high ones included.
+inline IndexBox faces_of(const IndexBox& cells, int d)
+{
+  return cells.extended_high(d, 1);
+}
+
+/// The faces normal to d that the patch owns (see above).
+inline IndexBox owned_faces(const Level& level, const IndexBox& cells, int d)
+{
+  return level.at_side(cells, 2 * d + 1) ? faces_of(cells, d) : cells;
+}
+
+}  // namespace valsalva::ib3d

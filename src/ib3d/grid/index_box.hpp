@@ -1,0 +1,72 @@
+// A box of cells of one level: lo <= index < hi in each direction (hi exclusive), or empty.
+#pragma once
+
+#include <algorithm>
+
+#include "common/vec3.hpp"
+
+namespace valsalva::ib3d {
+
+struct IndexBox {
+  Int3 lo{0, 0, 0};
+  Int3 hi{0, 0, 0};
+
+  bool operator==(const IndexBox&) const = default;
+  int size(int d) const { return hi[static_cast<std::size_t>(d)] - lo[static_cast<std::size_t>(d)]; }
+  bool empty() const { return size(0) <= 0 || size(1) <= 0 || size(2) <= 0; }
+  long volume() const { return empty() ? 0 : static_cast<long>(size(0)) * size(1) * size(2); }
+
+  bool contains(const Int3& c) const
+  {
+    return c[0] >= lo[0] && c[0] < hi[0] && c[1] >= lo[1] && c[1] < hi[1] && c[2] >= lo[2] && c[2] < hi[2];
+  }
+  IndexBox grown(int n) const
+  {
+    return {{lo[0] - n, lo[1] - n, lo[2] - n}, {hi[0] + n, hi[1] + n, hi[2] + n}};
+  }
+  IndexBox shifted(const Int3& s) const
+  {
+    return {{lo[0] + s[0], lo[1] + s[1], lo[2] + s[2]}, {hi[0] + s[0], hi[1] + s[1], hi[2] + s[2]}};
+  }
+  /// Extended by n at the high end of direction d: the faces normal to d of a box of cells have n = 1.
+  IndexBox extended_high(int d, int n) const
+  {
+    IndexBox b = *this;
+    b.hi[static_cast<std::size_t>(d)] += n;
+    return b;
+  }
+  /// The box of cells twice as large that cover this one; lo and hi must be even.
+  IndexBox coarsened() const
+  {
+    return {{lo[0] / 2, lo[1] / 2, lo[2] / 2}, {hi[0] / 2, hi[1] / 2, hi[2] / 2}};
+  }
+};
+
+inline IndexBox intersect(const IndexBox& a, const IndexBox& b)
+{
+  IndexBox c;
+  for (std::size_t d = 0; d < 3; ++d) {
+    c.lo[d] = std::max(a.lo[d], b.lo[d]);
+    c.hi[d] = std::max(c.lo[d], std::min(a.hi[d], b.hi[d]));
+  }
+  return c;
+}
+
+/// Calls f(i, j, k) for every index of the box, i fastest.
+template <class F>
+void for_each_index(const IndexBox& b, F&& f)
+{
+  for (int k = b.lo[2]; k < b.hi[2]; ++k)
+    for (int j = b.lo[1]; j < b.hi[1]; ++j)
+      for (int i = b.lo[0]; i < b.hi[0]; ++i) f(i, j, k);
+}
+
+/// Calls f(j, k) for every row (along x) of the box.
+template <class F>
+void for_each_row(const IndexBox& b, F&& f)
+{
+  for (int k = b.lo[2]; k < b.hi[2]; ++k)
+    for (int j = b.lo[1]; j < b.hi[1]; ++j) f(j, k);
+}
+
+}  // namespace valsalva::ib3d

@@ -1,0 +1,27 @@
+// Peskin's 4-point regularised delta function, delta_h(x) = phi(x/h) phi(y/h) phi(z/h) / h^3 (Peskin 2002,
+// eq. 6.27):
+//   phi(r) = (3 - 2|r| + sqrt(1 + 4|r| - 4r^2))/8 for |r| <= 1,  (5 - 2|r| - sqrt(-7 + 12|r| - 4r^2))/8 for
+//   |r| <= 2.
+// Its even and odd sums over the grid are 1/2 and its first moment is 0, at any position.
+#pragma once
+
+#include <cmath>
+
+namespace valsalva::ib3d {
+
+/// Number of grid points that a node touches in each direction.
+inline constexpr int kDeltaWidth = 4;
+
+/// The four weights on a lattice with unit spacing for a point at fraction r in [0, 1) above lattice point 0:
+/// w[m] belongs to lattice point m - 1.
+inline void delta_weights(double r, double w[kDeltaWidth])
+{
+  const double root = std::sqrt(1 + 4 * r - 4 * r * r);
+  const double left = 3 - 2 * r, right = 1 + 2 * r;
+  w[0] = 0.125 * (left - root);
+  w[1] = 0.125 * (left + root);
+  w[2] = 0.125 * (right + root);
+  w[3] = 0.125 * (right - root);
+}
+
+}  // namespace valsalva::ib3d

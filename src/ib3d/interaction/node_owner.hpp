@@ -1,0 +1,54 @@
+// Which rank computes which node: the owner of the finest box under it. Each rank keeps its own nodes, sorted
+// by patch and cell, and copies of the neighbours that its springs and beams need. The topology
+// (FiberNetwork) is replicated.
+#pragma once
+
+#include <vector>
+
+#include "ib3d/grid/hierarchy.hpp"
+#include "ib3d/structure/fiber_network.hpp"
+
+namespace valsalva::ib3d {
+
+class NodeOwner {
+ public:
+  /// Distributes the nodes of `whole` from its start positions. Collective.
+  NodeOwner(FiberNetwork whole, const Level& level);
+
+  const FiberNetwork& whole() const { return whole_; }
+  const FiberPart& part() const { return part_; }
+  /// Nodes of local patch p are [first()[p], first()[p+1]); first().back() is the number of owned nodes.
+  const std::vector<int>& first() const { return first_; }
+  int owned() const { return part_.owned; }
+
+  /// Copies values of owned nodes to the ranks that hold copies; `values` has one entry per local node.
+  /// Collective.
+  void fill_copies(std::vector<Vec3>& values) const;
+  /// Values of all nodes, in global order, on every rank, from those of the owned ones. Collective.
+  std::vector<Vec3> gather(const std::vector<Vec3>& values) const;
+  /// The same for a few nodes (global numbers) only. Collective.
+  std::vector<Vec3> gather(const std::vector<Vec3>& values, const std::vector<int>& nodes) const;
+
+  /// Whether a node of this rank is farther than the allowed drift outside its patch, or not a number.
+  bool has_strays(const std::vector<Vec3>& X) const;
+  /// Assigns every node to its patch anew and returns the new local positions, copies included. Collective.
+  /// Throws SolverError when a node has left the domain by more than the drift.
+  std::vector<Vec3> redistribute(const std::vector<Vec3>& X);
+
+ private:
+  void distribute(const std::vector<Vec3>& X_global);
+  void plan_copies(const std::vector<int>& owner);
+
+  FiberNetwork whole_;
+  Level level_;
+  FiberPart part_;
+  std::vector<int> first_;
+  std::vector<int> local_number_;  ///< of every node: its number here if it is owned, else -1
+  struct Link {
+    int rank;
+    std::vector<int> local_nodes;
+  };
+  std::vector<Link> sends_, receives_;
+};
+
+}  // namespace valsalva::ib3d

@@ -1,0 +1,39 @@
+// The two exchanges of the immersed boundary method, with the 4-point delta function on the MAC grid:
+//   spread        f(x) = sum_k F_k delta_h(x - X_k)         f = S F    (dyn -> dyn/cm^3)
+//   interpolate   U_k  = sum_x u(x) delta_h(x - X_k) h^3    U = J u    (cm/s)
+// Exact adjoints, <u, S F> h^3 = <J u, F>, for every u that satisfies the boundary conditions, also where the
+// support of the delta function crosses a side of the domain: J reads ghosts that `fill_mirrored` filled, S
+// folds them back by its transpose. Nodes are grouped by the local patch under them: patch p has nodes
+// [first[p], first[p+1]).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ib3d/grid/halo.hpp"
+
+namespace valsalva::ib3d {
+
+/// How far (cells) a node may drift out of its patch before the nodes have to be distributed anew.
+inline constexpr double kNodeDrift = 1.0;
+
+class Interaction {
+ public:
+  explicit Interaction(const Level& level) : level_(level), faces_(Halo::for_faces(level)) {}
+
+  /// f = S[X] F on the owned faces; f is overwritten, ghosts included. Forces on wall faces are lost to the
+  /// wall. Collective.
+  void spread(std::span<const int> first, std::span<const Vec3> X, std::span<const Vec3> F,
+              MacField& f) const;
+  /// U = J[X] u; the ghosts of u must be filled.
+  void interpolate(std::span<const int> first, std::span<const Vec3> X, const MacField& u,
+                   std::span<Vec3> U) const;
+  /// Fills the ghosts of a velocity: between patches, then beyond the sides. Collective.
+  void fill_ghosts(MacField& u) const;
+
+ private:
+  Level level_;
+  Halo faces_;
+};
+
+}  // namespace valsalva::ib3d

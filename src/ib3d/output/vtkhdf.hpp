@@ -1,0 +1,62 @@
+// Output that ParaView opens by itself: VTKHDF files (version 1.0), one per output time, shared by all ranks.
+//   OverlappingAMR    the fields on all levels; a level's blocks stand one after the other, x fastest
+//   UnstructuredGrid  the structure: springs as lines, points without one as vertices; a piece per rank
+//   ImageData         the fields at the cell centres of one uniform grid, for tools without refinement
+// Arrays are float32, their names carry the units: velocity_cm_s, pressure_mmHg, strain, force_dyn;
+// `group` is the number of a point's group. The file's root has the attributes time_s and group_names
+// (one name a line). Name the files *.hdf: ParaView 5.11 finds no reader for .vtkhdf; their times belong
+// in a FileSeries. All functions are collective and throw IoError on all ranks.
+// Source: docs.vtk.org, VTKHDF file format.
+#pragma once
+
+#include <mpi.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "common/vec3.hpp"
+
+namespace valsalva::ib3d {
+
+/// Cells lo <= (i, j, k) < hi of one level.
+struct AmrBox {
+  Int3 lo, hi;
+};
+
+/// The values in the cells of box number `order` of its level.
+struct AmrBlock {
+  int order = 0;
+  std::vector<float> velocity;  ///< 3 per cell, cm/s
+  std::vector<float> pressure;  ///< 1 per cell, mmHg
+};
+
+struct AmrLevel {
+  double spacing = 0.0;         ///< cm
+  std::vector<AmrBox> boxes;    ///< all boxes of the level, the same list on every rank
+  std::vector<AmrBlock> local;  ///< this rank's; each box is on one rank
+};
+
+/// The structure as this rank sees it; numbers in `lines` count this rank's points.
+struct FiberPicture {
+  std::vector<Vec3> points;               ///< cm
+  std::vector<int> group;                 ///< per point
+  std::vector<std::array<int, 2>> lines;  ///< the springs
+  std::vector<float> strain;              ///< per line, l/l0 - 1
+  std::vector<Vec3> force;                ///< per point, dyn; empty on every rank: not written
+};
+
+/// `origin` is the corner of cell (0, 0, 0) of every level, cm; levels[0] is the coarsest.
+void write_overlapping_amr(const std::string& path, double time_s, const Vec3& origin,
+                           const std::vector<AmrLevel>& levels, MPI_Comm comm);
+
+/// The same fields on the cells of level `at` over the whole domain: coarser levels are repeated, finer ones
+/// averaged. The boxes of levels[0] fill a box, and the others begin and end with its cells.
+void write_image_data(const std::string& path, double time_s, const Vec3& origin,
+                      const std::vector<AmrLevel>& levels, int at, MPI_Comm comm);
+
+/// `group_names[g]` is the name of group g.
+void write_fibers(const std::string& path, double time_s, const FiberPicture& fibers,
+                  const std::vector<std::string>& group_names, MPI_Comm comm);
+
+}  // namespace valsalva::ib3d

@@ -1,0 +1,59 @@
+// The three-dimensional side: fluid, structure and their interaction in one domain with openings.
+// One step t^n -> t^{n+1} in three calls, so that the 0D networks can answer in between (docs/scheme.md,
+// section 2):
+//   begin_step(dt)      elastic force, spread to the grid, explicit part of the momentum equation
+//   solve_fluid(p)      pressure for these opening pressures -> flows
+//   accept(phi)         opening pressures corrected by phi, velocity projected, structure moved
+// Structure updates (key structure.scheme):
+//   leapfrog  F[X^n] drives u^{n+1};  X^{n+1} = X^n + dt J[X^n] u^{n+1}
+//   midpoint  X' = X^n + dt/2 J[X^n] u^n;  F[X'] drives u^{n+1};  X^{n+1} = X^n + dt J[X'] (u^n + u^{n+1})/2
+// All calls are collective. dyn, cm, s.
+#pragma once
+
+#include "common/timers.hpp"
+#include "ib3d/fluid/navier_stokes.hpp"
+#include "ib3d/time_step.hpp"
+
+namespace valsalva::ib3d {
+
+enum class StructureScheme { leapfrog, midpoint };
+
+class RootSolver {
+ public:
+  /// Throws CaseError when a node lies outside the domain.
+  RootSolver(const Level& level, std::vector<Opening> openings, const FluidParameters& fluid,
+             const PressureOptions& pressure, FiberNetwork structure, StructureScheme scheme, Timers& timers);
+
+  void begin_step(double dt);
+  std::vector<double> solve_fluid(const std::vector<double>& opening_pressure);
+  void accept(const std::vector<double>& phi);
+
+  /// Largest of |u| + |v| + |w| over h in the current velocity (1/s), the same on all ranks.
+  double courant_rate() const { return courant_rate_; }
+  /// omega_max of the structure (1/s), refreshed every few steps.
+  double elastic_rate();
+
+  const NavierStokes& fluid() const { return fluid_; }
+  const NodeOwner& nodes() const { return nodes_; }
+  /// Positions of the local nodes, owned ones first, copies after them (current up to the last `accept`).
+  const std::vector<Vec3>& X() const { return X_; }
+  /// Elastic forces of the last step on the owned nodes (dyn).
+  const std::vector<Vec3>& F() const { return F_; }
+
+ private:
+  void check_and_redistribute();
+
+  Level level_;
+  StructureScheme scheme_;
+  Timers& timers_;
+  NavierStokes fluid_;
+  NodeOwner nodes_;
+  Interaction interaction_;
+  ElasticBound elastic_;
+  MacField f_;
+  std::vector<Vec3> X_, X_middle_, U_, U_before_, F_;
+  double dt_ = 0, courant_rate_ = 0;
+  int steps_since_elastic_ = 0;
+};
+
+}  // namespace valsalva::ib3d

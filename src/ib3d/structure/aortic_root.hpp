@@ -1,0 +1,38 @@
+// The aortic root of the paper's problem as a fiber network: three leaflets hanging from the attachment lines
+// of a tethered, three-layered wall with three sinuses. The leaflets start closed, in equilibrium with a few
+// mmHg; rows and columns end in nodes tethered to the attachment line. Positions in cm; the tube runs from z
+// = 0 to z = length about `center`. Groups: "leaflet 1" to "leaflet 3" (rotations of one another, centred on
+// theta = 0, 120, 240 degrees), then "wall 1", "wall 2", ... from the inside out. Free edges run from
+// commissure to commissure, the tethered commissure nodes included. Sources: docs, and Peskin & McQueen 1994
+// for the leaflets.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "ib3d/structure/fiber_network.hpp"
+#include "ib3d/structure/leaflet_equilibrium.hpp"
+#include "ib3d/structure/root_parameters.hpp"
+
+namespace valsalva::ib3d {
+
+/// Pressure at which the closed valve is judged, mmHg.
+inline constexpr double kClosedPressure_mmHg = 85.0;
+
+struct AorticRoot {
+  FiberNetwork network;                       ///< X is the start of the run
+  std::vector<std::array<int, 3>> triangles;  ///< the leaflets' surfaces, for areas and pictures
+  LeafletShape closed;                        ///< under 85 mmHg
+  LeafletShape start;                         ///< under start_pressure_mmHg
+};
+
+/// The root on a grid of spacing h (cm), with what is known of its leaflets' shapes. CaseError with every
+/// impossible dimension, SolverError if the leaflets find no equilibrium.
+AorticRoot design_aortic_root(const RootDimensions& root, const LeafletMaterial& leaflets,
+                              const WallMaterial& wall, double h);
+
+/// The network alone.
+FiberNetwork build_aortic_root(const RootDimensions& root, const LeafletMaterial& leaflets,
+                               const WallMaterial& wall, double h);
+
+}  // namespace valsalva::ib3d

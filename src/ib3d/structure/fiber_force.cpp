@@ -1,0 +1,109 @@
+#include "ib3d/structure/fiber_force.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace valsalva::ib3d {
+
+namespace {
+
+std::size_t at(int node)
+{
+  return static_cast<std::size_t>(node);
+}
+
+bool is_slack(const Springs& springs, std::size_t n, double stretch)
+{
+  return springs.tension_only[n] != 0 && stretch < 0.0;
+}
+
+/// Adds sign * (the beams' force at X); the force is linear in X, so the same loop serves the tangent.
+void add_beam_force(const Beams& beams, std::span<const Vec3> X, double sign, std::span<Vec3> F)
+{
+  const std::size_t count = beams.x0.size();
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::size_t i0 = at(beams.x0[n]), i1 = at(beams.x1[n]), i2 = at(beams.x2[n]);
+    const double g0 = 1.0 / beams.l1[n], g2 = 1.0 / beams.l2[n];
+    const double c = sign * 2.0 * beams.rigidity[n] / (beams.l1[n] + beams.l2[n]);
+    const Vec3 bend = c * (g2 * (X[i2] - X[i1]) - g0 * (X[i1] - X[i0]));
+    F[i0] -= g0 * bend;
+    F[i1] += (g0 + g2) * bend;
+    F[i2] -= g2 * bend;
+  }
+}
+
+}  // namespace
+
+void fiber_force(const FiberNetwork& network, std::span<const Vec3> X, std::span<Vec3> F)
+{
+  std::fill(F.begin(), F.end(), Vec3{0.0, 0.0, 0.0});
+  const Springs& springs = network.springs;
+  for (std::size_t n = 0; n < springs.a.size(); ++n) {
+    const std::size_t a = at(springs.a[n]), b = at(springs.b[n]);
+    const Vec3 r = X[b] - X[a];
+    const double l = norm(r);
+    const double stretch = l / springs.rest_length[n] - 1.0;
+    if (l == 0.0 || is_slack(springs, n, stretch)) continue;
+    const Vec3 pull = (springs.stiffness[n] * stretch / l) * r;
+    F[a] += pull;
+    F[b] -= pull;
+  }
+  add_beam_force(network.beams, X, 1.0, F);
+  const Tethers& tethers = network.tethers;
+  for (std::size_t n = 0; n < tethers.node.size(); ++n) {
+    const std::size_t i = at(tethers.node[n]);
+    F[i] += tethers.stiffness[n] * (tethers.target[n] - X[i]);
+  }
+}
+
+double fiber_energy(const FiberNetwork& network, std::span<const Vec3> X)
+{
+  double energy = 0.0;
+  const Springs& springs = network.springs;
+  for (std::size_t n = 0; n < springs.a.size(); ++n) {
+    const double l0 = springs.rest_length[n];
+    const double stretch = norm(X[at(springs.b[n])] - X[at(springs.a[n])]) / l0 - 1.0;
+    if (!is_slack(springs, n, stretch)) energy += 0.5 * springs.stiffness[n] * l0 * stretch * stretch;
+  }
+  const Beams& beams = network.beams;
+  for (std::size_t n = 0; n < beams.x0.size(); ++n) {
+    const Vec3 x1 = X[at(beams.x1[n])];
+    const Vec3 turn =
+        (1.0 / beams.l2[n]) * (X[at(beams.x2[n])] - x1) - (1.0 / beams.l1[n]) * (x1 - X[at(beams.x0[n])]);
+    energy += beams.rigidity[n] * dot(turn, turn) / (beams.l1[n] + beams.l2[n]);
+  }
+  const Tethers& tethers = network.tethers;
+  for (std::size_t n = 0; n < tethers.node.size(); ++n) {
+    const Vec3 away = tethers.target[n] - X[at(tethers.node[n])];
+    energy += 0.5 * tethers.stiffness[n] * dot(away, away);
+  }
+  return energy;
+}
+
+void fiber_stiffness_times(const FiberNetwork& network, std::span<const Vec3> X, std::span<const Vec3> v,
+                           std::span<Vec3> Kv)
+{
+  std::fill(Kv.begin(), Kv.end(), Vec3{0.0, 0.0, 0.0});
+  const Springs& springs = network.springs;
+  for (std::size_t n = 0; n < springs.a.size(); ++n) {
+    const std::size_t a = at(springs.a[n]), b = at(springs.b[n]);
+    const Vec3 r = X[b] - X[a];
+    const double l = norm(r);
+    const double stretch = l / springs.rest_length[n] - 1.0;
+    if (l == 0.0 || is_slack(springs, n, stretch)) continue;
+    const double across = springs.stiffness[n] * stretch / l;
+    const double along = springs.stiffness[n] / springs.rest_length[n];
+    const Vec3 dv = v[b] - v[a];
+    const Vec3 pull = ((along - across) * dot(r, dv) / (l * l)) * r + across * dv;
+    Kv[a] -= pull;
+    Kv[b] += pull;
+  }
+  add_beam_force(network.beams, v, -1.0, Kv);
+  const Tethers& tethers = network.tethers;
+  for (std::size_t n = 0; n < tethers.node.size(); ++n) {
+    const std::size_t i = at(tethers.node[n]);
+    Kv[i] += tethers.stiffness[n] * v[i];
+  }
+}
+
+}  // namespace valsalva::ib3d

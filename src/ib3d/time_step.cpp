@@ -1,0 +1,44 @@
+#include "ib3d/time_step.hpp"
+
+#include <cmath>
+
+#include "ib3d/structure/fiber_force.hpp"
+
+namespace valsalva::ib3d {
+
+double ElasticBound::update(const NodeOwner& nodes, const Interaction& interaction,
+                            const std::vector<Vec3>& X, int sweeps)
+{
+  if (nodes.whole().node_count() == 0) return 0;
+  const FiberPart& part = nodes.part();
+  if (v_.size() != X.size()) {
+    // Deterministic, rough, and the same whatever the number of ranks.
+    v_.resize(X.size());
+    for (std::size_t i = 0; i < v_.size(); ++i) {
+      const int n = part.global[i];
+      v_[i] = {std::sin(1.3 * n), std::cos(2.1 * n), std::sin(3.7 * n + 1)};
+    }
+    sweeps += 20;
+  }
+  stiff_.resize(X.size());
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    nodes.fill_copies(v_);
+    fiber_stiffness_times(part.network, X, v_, stiff_);
+    interaction.spread(nodes.first(), X, stiff_, f_);
+    interaction.fill_ghosts(f_);
+    double sums[2] = {0, 0};
+    for (int n = 0; n < nodes.owned(); ++n)
+      sums[0] += dot(v_[static_cast<std::size_t>(n)], v_[static_cast<std::size_t>(n)]);
+    interaction.interpolate(nodes.first(), X, f_, v_);
+    for (int n = 0; n < nodes.owned(); ++n)
+      sums[1] += dot(v_[static_cast<std::size_t>(n)], v_[static_cast<std::size_t>(n)]);
+    MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, level_.comm);
+    if (sums[1] == 0) return omega_ = 0;
+    omega_ = std::sqrt(std::sqrt(sums[1] / sums[0]) / density_);
+    const double scale = 1 / std::sqrt(sums[1]);
+    for (Vec3& v : v_) v = scale * v;
+  }
+  return omega_;
+}
+
+}  // namespace valsalva::ib3d

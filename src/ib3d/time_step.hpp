@@ -1,0 +1,52 @@
+// The largest stable step: dt = min(CFL bound, elastic bound, viscous bound).
+//   CFL      dt <= C h / max(|u| + |v| + |w|)
+//   elastic  the structure is explicit, so dt < 2/omega_max, omega_max^2 the largest eigenvalue of (1/rho) J
+//   S K at the
+//            present configuration (K = -dF/dX the structure's stiffness); found by power iteration,
+//            warm-started, and an upper bound since the projection, which can only lower it, is left out
+#pragma once
+
+#include <vector>
+
+#include "ib3d/interaction/node_owner.hpp"
+#include "ib3d/interaction/spread_interpolate.hpp"
+
+namespace valsalva::ib3d {
+
+/// What limits a step; `longest` is time.dt_max_s, `target` an output time, a source's kink or the end.
+enum class Limit { longest, cfl, elastic, viscous, growth, target, fixed };
+
+struct StepBound {
+  double dt = 0;  ///< s
+  Limit limited_by = Limit::longest;
+};
+
+constexpr const char* limit_name(Limit l)
+{
+  constexpr const char* names[] = {"longest", "cfl", "elastic", "viscous", "growth", "target", "fixed"};
+  return names[static_cast<int>(l)];
+}
+
+/// Power iteration for omega_max of the structure immersed in the fluid.
+class ElasticBound {
+ public:
+  ElasticBound(const Level& level, double density) : level_(level), density_(density), f_(level) {}
+
+  /// `sweeps` more power iterations at the positions X (all local nodes); returns omega_max (1/s), 0 without
+  /// a structure. Collective.
+  double update(const NodeOwner& nodes, const Interaction& interaction, const std::vector<Vec3>& X,
+                int sweeps);
+  double omega() const { return omega_; }
+  /// Forgets the eigenvector: call after nodes have changed ranks (the estimate of omega is kept until the
+  /// next update).
+  void restart() { v_.clear(); }
+
+ private:
+  Level level_;
+  double density_;
+  MacField f_;
+  std::vector<Vec3> v_, stiff_;
+  double omega_ = 0;
+};
+
+}  // namespace valsalva::ib3d

@@ -1,0 +1,33 @@
+// How far a heart chamber is contracted, e(t) from 0 (relaxed) to 1, over one heart period T.
+//   double Hill   e = k h1/(1 + h1) 1/(1 + h2),  h_i = (t/tau_i)^{n_i},  k so that the maximum is 1
+//   half cosine   e = (1 - cos(2 pi t/Ts))/2 for t < Ts, then 0
+// Times in s from the onset of contraction. Source: double Hill, Stergiopulos, Meister & Westerhof, Am J
+// Physiol 270 (1996) H2050-H2059, with the constants of Mynard et al. 2012 rescaled to T.
+#pragma once
+
+namespace valsalva::lumped {
+
+struct DoubleHill {
+  double n1, n2, tau1_s, tau2_s;
+};
+
+class Activation {
+ public:
+  static Activation double_hill(DoubleHill shape, double period_s);
+  static Activation half_cosine(double systole_s);
+
+  /// e at `t` seconds after the onset, 0 <= t <= T.
+  double value(double t) const;
+  /// Where, within a period, the formula changes; 0 if only at its beginning.
+  double kink() const { return is_half_cosine_ ? systole_s_ : 0.0; }
+
+ private:
+  Activation() = default;
+  bool is_half_cosine_ = false;
+  double systole_s_ = 0.0;
+  DoubleHill shape_{};
+  double log_tau1_ = 0.0, log_tau2_ = 0.0;
+  double k_ = 1.0;
+};
+
+}  // namespace valsalva::lumped

@@ -1,0 +1,80 @@
+// Integrates a lumped network in time with CVODE: Adams methods of variable order and step, functional
+// iteration, relative tolerance 1e-8; absolute tolerances are the relative one times 1 mmHg, 1 ml, 10 ml/s.
+// It stops exactly at the kinks of the sources, and where a valve switches it restarts with the valve's new
+// position. CVODE is re-initialised in every call, so the same state and flows give bitwise the same result,
+// whatever was computed before: iterations of a coupling scheme and restarts repeat exactly. mmHg, ml, s.
+// Source: Hindmarsh et al., ACM Trans Math Softw 31 (2005) 363-396.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lumped/lumped_state.hpp"
+#include "lumped/network.hpp"
+
+namespace valsalva::lumped {
+
+struct CvodeMemory;
+
+struct IntegratorStatistics {
+  long steps = 0;
+  long rhs_evaluations = 0;
+  long events = 0;  ///< valves that switched
+};
+
+class CvodeIntegrator {
+ public:
+  /// `network` must outlive the integrator.
+  explicit CvodeIntegrator(const LumpedNetwork& network, double rtol = 1e-8);
+  ~CvodeIntegrator();
+  CvodeIntegrator(const CvodeIntegrator&) = delete;
+  CvodeIntegrator& operator=(const CvodeIntegrator&) = delete;
+
+  /// Takes `state` from its time to `t_end` >= state.t (s). The port flows (ml/s, one per port, positive into
+  /// the network) vary linearly from `Q_begin` to `Q_end`. SolverError if CVODE fails; `state` is then
+  /// unchanged.
+  void advance(LumpedState& state, double t_end, std::span<const double> Q_begin,
+               std::span<const double> Q_end);
+
+  /// mmHg, one per port.
+  std::vector<double> port_pressures(const LumpedState& state, std::span<const double> Q) const
+  {
+    return network_.port_pressures(state, Q);
+  }
+
+  const IntegratorStatistics& statistics() const { return statistics_; }
+
+ private:
+  struct Callbacks;
+
+  void set_tolerances(double interval);
+  void set_port_flows(double t);
+  void advance_smooth_piece(LumpedState& state, double stop);
+  /// From a fresh start to `stop` or the next switching of a valve. True if valves switched.
+  bool run_cvode(LumpedState& state, double stop);
+  double first_step(const LumpedState& state, double stop);
+  /// Over an interval too short for CVODE.
+  void step_over(LumpedState& state, double stop);
+  void rates(double t, const double* y, double* dydt);
+  [[noreturn]] void fail(int flag, double t, double stop) const;
+
+  const LumpedNetwork& network_;
+  double rtol_;
+  NodalCircuit circuit_;
+  std::unique_ptr<CvodeMemory> memory_;
+  IntegratorStatistics statistics_;
+  std::vector<double> scale_;  ///< per state: absolute over relative tolerance
+
+  // The call of advance() in progress.
+  double t_begin_ = 0.0, t_end_ = 0.0;
+  std::span<const double> Q_begin_, Q_end_;
+  std::vector<double> Q_;
+  double piece_ = 0.0;
+  double step_rtol_ = 0.0;
+  std::vector<int> valve_open_;
+  std::vector<double> scratch_y_, scratch_rates_, start_rates_;
+  std::vector<int> switched_;
+};
+
+}  // namespace valsalva::lumped

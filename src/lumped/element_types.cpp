@@ -1,0 +1,31 @@
+#include "lumped/element_types.hpp"
+
+#include "lumped/chamber.hpp"
+#include "lumped/flow_source.hpp"
+#include "lumped/pressure_source.hpp"
+#include "lumped/valve.hpp"
+#include "lumped/windkessel3.hpp"
+
+namespace valsalva::lumped {
+
+const std::vector<ElementType>& element_types()
+{
+  static const std::vector<ElementType> types = {windkessel3_type(), pressure_source_type(),
+                                                 flow_source_type(), valve_type(), chamber_type()};
+  return types;
+}
+
+const ElementType* find_element_type(const std::string& name)
+{
+  for (const ElementType& type : element_types())
+    if (type.name == name) return &type;
+  return nullptr;
+}
+
+std::string element_key(const ElementSpec& element, const std::string& parameter)
+{
+  const std::string key = "element \"" + element.name + "\"";
+  return parameter.empty() ? key : key + ": " + parameter;
+}
+
+}  // namespace valsalva::lumped

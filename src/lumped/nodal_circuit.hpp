@@ -1,0 +1,62 @@
+// Node pressures of a resistive circuit at one instant (mmHg, ml/s, mmHg s/ml).
+// Every node has a pressure equivalent of its own: it is held at a pressure (Z = 0), or pressures p_k behind
+// resistances R_k and given inflows q_k determine it,
+//     P_n = Z_n (sum p_k/R_k + sum q_k + flow from resistors),   1/Z_n = sum 1/R_k.
+// Resistors between nodes (open valves) carry Q with  P_from - P_to = R Q + B Q|Q|.  With the node equations
+// this is  R Q_i + B Q_i|Q_i| + sum_j Z_ij Q_j = dP_i : strictly monotone, hence one solution. A resistor
+// that shares no free node with another has a closed form; otherwise Newton on the flows.
+#pragma once
+
+#include <vector>
+
+namespace valsalva::lumped {
+
+/// The flow Q with R Q + B Q|Q| = dp; R > 0, or B > 0, both >= 0. ml/s.
+double resistor_flow(double dp, double R, double B);
+
+class NodalCircuit {
+ public:
+  explicit NodalCircuit(int nodes);
+
+  void clear();
+  void hold_pressure(int node, double p);
+  /// A branch from pressure p through the resistance R > 0 to the node.
+  void add_pressure(int node, double p, double R);
+  /// A given flow into the node.
+  void add_inflow(int node, double Q);
+  void add_resistor(int from, int to, double R, double B);
+
+  /// Finds all pressures. SolverError if Newton does not converge (values that are not finite).
+  void solve();
+
+  double pressure(int node) const { return nodes_[static_cast<std::size_t>(node)].pressure; }
+  /// What flows into the element that holds this node's pressure.
+  double flow_into_holder(int node) const { return nodes_[static_cast<std::size_t>(node)].excess; }
+
+ private:
+  struct Node {
+    bool held = false;
+    double held_pressure = 0.0;
+    double inflow = 0.0;       ///< sum of p/R and of given flows
+    double conductance = 0.0;  ///< sum of 1/R
+    double impedance = 0.0;    ///< Z
+    int resistors = 0;
+    double resistor_inflow = 0.0;
+    double pressure = 0.0;
+    double excess = 0.0;
+  };
+  struct Resistor {
+    int from, to;
+    double R, B, Q;
+  };
+  Node& at(int node) { return nodes_[static_cast<std::size_t>(node)]; }
+  bool resistors_are_coupled() const;
+  void solve_coupled_resistors();
+
+  std::vector<Node> nodes_;
+  std::vector<Resistor> resistors_;
+  std::vector<double> impedance_, jacobian_;  ///< of the resistors among each other, row by row
+  std::vector<double> drive_, Q_, residual_;
+};
+
+}  // namespace valsalva::lumped

@@ -1,0 +1,43 @@
+#include <gtest/gtest.h>
+
+#include "common/nearest_name.hpp"
+#include "common/unknown_key.hpp"
+
+namespace valsalva::common {
+
+TEST(NearestName, CountsInsertionsDeletionsReplacementsAndSwaps)
+{
+  EXPECT_EQ(typing_errors("abc", "abc"), 0u);
+  EXPECT_EQ(typing_errors("abc", "abcd"), 1u);
+  EXPECT_EQ(typing_errors("abc", "ac"), 1u);
+  EXPECT_EQ(typing_errors("abc", "axc"), 1u);
+  EXPECT_EQ(typing_errors("abc", "acb"), 1u);
+  EXPECT_EQ(typing_errors("", "abc"), 3u);
+  EXPECT_EQ(typing_errors("RP_mmhg", "Rp_mmHg"), 0u);
+}
+
+TEST(NearestName, IsEmptyIfNothingIsNear)
+{
+  EXPECT_EQ(nearest_name("tilte", {"title", "time"}), "title");
+  EXPECT_EQ(nearest_name("quite_different", {"title", "time"}), "");
+  EXPECT_EQ(nearest_name("ab", {"xy"}), "");
+}
+
+TEST(UnitSuffix, IsTheUnitAsKeysEndWithIt)
+{
+  EXPECT_EQ(unit_suffix("mmHg s^2/ml"), "mmHg_s2_ml");
+  EXPECT_EQ(unit_suffix("g/(cm s)"), "g_cm_s");
+  EXPECT_EQ(unit_suffix("1/s"), "1_s");
+}
+
+TEST(UnitSuffix, OnlyUnitsMakeAnotherUnitOfTheSameKey)
+{
+  const std::vector<Key> keys = {real("end_s", "s", ""), real("R_mmHg_s_ml", "mmHg s/ml", "")};
+  EXPECT_EQ(key_with_other_unit("end_ms", keys), &keys[0]);
+  EXPECT_EQ(key_with_other_unit("end", keys), &keys[0]);
+  EXPECT_EQ(key_with_other_unit("R_dyn_s_cm5", keys), &keys[1]);
+  EXPECT_EQ(key_with_other_unit("end_of_run", keys), nullptr);
+  EXPECT_EQ(key_with_other_unit("ending_s", keys), nullptr);
+}
+
+}  // namespace valsalva::common

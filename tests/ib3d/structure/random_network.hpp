@@ -1,0 +1,52 @@
+// A small tangle of springs (some slack, some tension-only), beams on uneven sides and tethers, for tests of
+// identities that hold for every network. Lengths and stiffnesses of order 1.
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "ib3d/structure/fiber_network.hpp"
+
+namespace valsalva::ib3d {
+
+inline std::vector<Vec3> random_vectors(int count, unsigned seed)
+{
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  std::vector<Vec3> v(static_cast<std::size_t>(count));
+  for (Vec3& x : v) x = {uniform(generator), uniform(generator), uniform(generator)};
+  return v;
+}
+
+inline FiberNetwork random_network(int nodes, unsigned seed)
+{
+  std::mt19937 generator(seed);
+  std::uniform_int_distribution<int> node(0, nodes - 1);
+  std::uniform_real_distribution<double> uniform(0.5, 1.5);
+  FiberNetwork network;
+  network.X = random_vectors(nodes, seed + 1);
+  for (int n = 0; n < 4 * nodes; ++n) {
+    const int a = node(generator), b = (a + 1 + n % (nodes - 1)) % nodes;
+    network.springs.a.push_back(a);
+    network.springs.b.push_back(b);
+    network.springs.stiffness.push_back(uniform(generator));
+    network.springs.rest_length.push_back(uniform(generator));
+    network.springs.tension_only.push_back(n % 2 == 0 ? 1 : 0);
+  }
+  for (int n = 0; n < nodes; ++n) {
+    network.beams.x0.push_back(n);
+    network.beams.x1.push_back((n + 1) % nodes);
+    network.beams.x2.push_back((n + 2) % nodes);
+    network.beams.rigidity.push_back(uniform(generator));
+    network.beams.l1.push_back(uniform(generator));
+    network.beams.l2.push_back(uniform(generator));
+  }
+  for (int n = 0; n < nodes; n += 2) {
+    network.tethers.node.push_back(n);
+    network.tethers.stiffness.push_back(uniform(generator));
+    network.tethers.target.push_back(random_vectors(1, seed + 2 + static_cast<unsigned>(n))[0]);
+  }
+  return network;
+}
+
+}  // namespace valsalva::ib3d
