@@ -4,11 +4,11 @@ import matplotlib.pyplot as plt
 from . import style
 from .run_output import Missing, read_table
 
-BOUND_COLORS = {"cfl": style.VENTRICLE, "elastic": style.AORTA, "output": style.GREY}
+BOUND_COLORS = {"cfl": style.VENTRICLE, "elastic": style.AORTA, "growth": style.INK, "output": style.GREY}
 PANELS = [  # column, label, factor
     ("cfl", "CFL number", 1.0),
     ("iterations", "iterations", 1.0),
-    ("max_divergence", "largest\ndivergence (1/s)", 1.0),
+    ("max_divergence_1_s", "largest\ndivergence (1/s)", 1.0),
     ("wall_s", "wall time\nper step (ms)", 1e3),
 ]
 
@@ -26,7 +26,7 @@ def draw(out, pictures):
     for panel, (name, label, factor) in zip(axes[1:], panels):
         panel.plot(t, factor * table[name], ".", markersize=1.6, color=style.INK, markeredgewidth=0, rasterized=True)
         panel.set_ylabel(label)
-        if name == "max_divergence" and table[name].max() > 0:
+        if name == "max_divergence_1_s" and table[name].max() > 0:
             panel.set_yscale("log")
         else:
             panel.set_ylim(bottom=0)

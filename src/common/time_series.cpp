@@ -73,11 +73,11 @@ TimeSeriesWriter TimeSeriesWriter::continue_at(const std::string& path, std::vec
   return TimeSeriesWriter(path, columns.size(), "a");
 }
 
-void TimeSeriesWriter::add(const std::vector<double>& values)
+void TimeSeriesWriter::add(const std::vector<double>& values, const std::string& word)
 {
-  if (values.size() != column_count_)
+  if (values.size() + (word.empty() ? 0 : 1) != column_count_)
     throw std::logic_error(fmt::format("{}: {} values for {} columns", path_, values.size(), column_count_));
-  fmt::print(file_.get(), "{:.9g}\n", fmt::join(values, ","));
+  fmt::print(file_.get(), "{:.9g}{}{}\n", fmt::join(values, ","), word.empty() ? "" : ",", word);
   const auto now = std::chrono::steady_clock::now();
   if (std::chrono::duration<double>(now - flushed_).count() > kFlushInterval_s) flush();
 }

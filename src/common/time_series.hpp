@@ -21,8 +21,8 @@ class TimeSeriesWriter {
   static TimeSeriesWriter continue_at(const std::string& path, std::vector<std::string> columns,
                                       double t_last_s);
 
-  /// One row; `values` has one entry per column.
-  void add(const std::vector<double>& values);
+  /// One row; `values` has one entry per column, or one less if the last column holds words.
+  void add(const std::vector<double>& values, const std::string& word = "");
   void flush();
 
  private:

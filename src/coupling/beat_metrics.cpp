@@ -50,7 +50,7 @@ BeatMetrics measure_beat(int beat, const std::vector<BeatSample>& s)
   while (open > 0 && s[open - 1].flow_ml_s > 0) --open;
   while (fall < end && s[fall].flow_ml_s > 0) ++fall;
   shut = fall;
-  while (shut < end && s[shut].flow_ml_s <= 0 &&
+  while (shut < end && s[shut].flow_ml_s < 0 &&
          !(s[shut].orifice_cm2 >= 0 && s[shut].orifice_cm2 < kShutOrifice_cm2))
     ++shut;
   m.opening_s = s[open].t_s;
@@ -59,8 +59,8 @@ BeatMetrics measure_beat(int beat, const std::vector<BeatSample>& s)
   m.least_flow_ml_s =
       std::min_element(s.begin() + static_cast<std::ptrdiff_t>(fall), s.end(), by_flow)->flow_ml_s;
   m.forward_volume_ml = integral(s, open, fall, flow);
-  m.closing_volume_ml = -integral(s, fall, shut, flow);
-  m.leak_volume_ml = -integral(s, shut, end, flow);
+  m.closing_volume_ml = 0 - integral(s, fall, shut, flow);
+  m.leak_volume_ml = 0 - integral(s, shut, end, flow);
   m.stroke_volume_ml = m.forward_volume_ml - m.closing_volume_ml - m.leak_volume_ml;
   if (s.back().t_s > s[shut].t_s) m.mean_leak_ml_s = m.leak_volume_ml / (s.back().t_s - s[shut].t_s);
   if (m.ejection_time_s > 0)

@@ -60,8 +60,7 @@ KeySection leaflets_section()
        real("edge_tether_dyn_cm3", "dyn/cm^3",
             "Stiffness per node area that holds the attached edge in place")
            .at_least(0)
-           .or_else(8e7),
-       real("node_spacing_h", "h", "Spacing of the lattice in grid spacings").in(0.1, 1.0).or_else(0.5)}};
+           .or_else(8e7)}};
 }
 
 }  // namespace

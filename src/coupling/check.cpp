@@ -31,7 +31,7 @@ std::string describe_case(const CaseFile& c)
   const Communicator comm;
   CaseModel model(c, comm.raw(), timers);
   const StepControl control = step_control_from_case(c);
-  std::string text = describe_model(model, control);
+  std::string text = describe_model(c, model);
   const double end = c.section("time").real("end_s");
   double begun = 0, dt = 0;
   for (int n = 0; n < kTrialSteps; ++n) {

@@ -1,4 +1,4 @@
-// `valsalva check`: what a case will build and cost, without running it.
+// `valsalva check`: what a case will build and cost, from a few trial steps; writes nothing.
 #pragma once
 
 #include <string>

@@ -36,9 +36,29 @@ std::string progress_text(const StepReport& s, const Traces& traces, double ms_p
                                 model.step() + 1, model.t(), error.what(), folder));
 }
 
+/// The domain's inertance at each Windkessel, and how far explicit coupling would be from its limit dt* there
+/// (docs/scheme.md, section 4).
+std::string describe_coupling(const CaseFile& c, CaseModel& m)
+{
+  const lumped::NetworkSpec spec = network_from_case(c);
+  std::string text;
+  for (std::size_t port = 0; port < spec.ports.size(); ++port) {
+    const double L = m.model().inertance(static_cast<int>(port));
+    for (const CaseTable& e : c.tables("element")) {
+      if (e.text("type") != "windkessel3" || e.text("node") != spec.ports[port]) continue;
+      const double C = e.real("C_ml_mmHg"), R = e.real("Rc_mmHg_s_ml");
+      const double limit = C * (-R + std::sqrt(R * R + 4 * L / C));
+      text += fmt::format("coupling   {}: inertance {:.4g} mmHg s^2/ml; explicit coupling would need dt < dt* = {:.3g} s "
+                          "(longest step/dt* = {:.2g})\n",
+                          e.text("name"), L, limit, c.section("time").real("dt_max_s") / limit);
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
-std::string describe_model(CaseModel& m, const StepControl& control)
+std::string describe_model(const CaseFile& c, CaseModel& m)
 {
   const ib3d::Level& level = m.grid().finest();
   std::string text = fmt::format("grid       {} x {} x {} cells of {:.5g} cm in {} box{}\n",
@@ -60,12 +80,8 @@ std::string describe_model(CaseModel& m, const StepControl& control)
   if (omega > 0)
     text +=
         fmt::format("step       elastic bound {:.2e} s at the start (2/omega_max; {:.0f} % of it is used)\n",
-                    2 / omega, 100 * control.elastic_safety);
-  if (m.circulation().port_count() > 0) {
-    const double L = m.model().inertance(0);
-    text += fmt::format("coupling   inertance of the domain {:.4g} mmHg s^2/ml\n", L);
-  }
-  return text;
+                    2 / omega, 100 * step_control_from_case(c).elastic_safety);
+  return text + describe_coupling(c, m);
 }
 
 int run_coupled(const CaseFile& c, const RunOptions& options)
@@ -78,7 +94,7 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
   common::catch_stop_signals();
   log.line(c.section("").text("title"));
   log.line(fmt::format("ranks      {}", comm.size()));
-  log.line(describe_model(model, step_control_from_case(c)));
+  log.line(describe_model(c, model));
 
   const double end = c.section("time").real("end_s");
   const double progress_every = c.section("output").real("progress_every_s");
@@ -120,6 +136,11 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
     }
   } catch (const SolverError& error) {
     traces.flush();
+    record.outcome = "failed";
+    record.t_s = coupled.t();
+    record.steps = coupled.step();
+    record.wall_s = timers.wall();
+    write_run_record(options.out_dir, record, comm);
     fail_at(coupled, options.out_dir, error);
   }
   if (const auto beat = traces.finish()) log.line(beat_text(*beat));

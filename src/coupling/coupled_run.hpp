@@ -12,6 +12,6 @@ int run_coupled(const CaseFile& c, const RunOptions& options);
 
 /// What was built, in lines for people: grid, structure, leaflets, coupling. Used by `run` and `check`.
 /// Collective.
-std::string describe_model(CaseModel& model, const StepControl& control);
+std::string describe_model(const CaseFile& c, CaseModel& model);
 
 }  // namespace valsalva::coupling

@@ -37,8 +37,6 @@ class RootSolver {
   const NodeOwner& nodes() const { return nodes_; }
   /// Positions of the local nodes, owned ones first, copies after them (current up to the last `accept`).
   const std::vector<Vec3>& X() const { return X_; }
-  /// Elastic forces of the last step on the owned nodes (dyn).
-  const std::vector<Vec3>& F() const { return F_; }
 
  private:
   void check_and_redistribute();

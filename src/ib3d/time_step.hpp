@@ -1,4 +1,4 @@
-// The largest stable step: dt = min(CFL bound, elastic bound, viscous bound).
+// The largest stable step: dt = min(CFL, elastic, viscous bound); coupled_model.cpp adds growth and output times.
 //   CFL      dt <= C h / max(|u| + |v| + |w|)
 //   elastic  the structure is explicit, so dt < 2/omega_max, omega_max^2 the largest eigenvalue of (1/rho) J
 //   S K at the
@@ -23,7 +23,7 @@ struct StepBound {
 
 constexpr const char* limit_name(Limit l)
 {
-  constexpr const char* names[] = {"longest", "cfl", "elastic", "viscous", "growth", "target", "fixed"};
+  constexpr const char* names[] = {"longest", "cfl", "elastic", "viscous", "growth", "output", "fixed"};
   return names[static_cast<int>(l)];
 }
 

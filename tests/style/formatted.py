@@ -17,7 +17,8 @@ def main(root):
         print("clang-format is missing; install it with scripts/bootstrap")
         return 1
     files = [str(p) for p in source_files(root, ("src", "tests"), frozenset(CPP)) if p.suffix in CPP]
-    bad = [f for f in files if subprocess.run([program, "--dry-run", "-Werror", f], capture_output=True).returncode]
+    said = subprocess.run([program, "--dry-run", "-Werror", *files], capture_output=True, text=True).stderr
+    bad = sorted({line.split(":")[0] for line in said.splitlines() if "clang-format-violations" in line})
     if bad:
         print("not formatted; repair with:\nclang-format -i " + " ".join(bad))
     return 1 if bad else 0

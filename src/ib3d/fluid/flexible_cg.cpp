@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "ib3d/fluid/row_kernels.hpp"
 
 namespace valsalva::ib3d {
 
@@ -58,9 +59,8 @@ FlexibleCg::FlexibleCg(const PressureGrid& grid, Preconditioner& preconditioner)
     : grid_(grid),
       preconditioner_(preconditioner),
       direction_(grid.level()),
-      a_direction_(grid.level()),
-      scaled_(grid.level()),
-      z_(grid.level())
+      z_(grid.level()),
+      a_direction_(grid.level())
 {
 }
 
@@ -82,29 +82,14 @@ KrylovReport FlexibleCg::solve(CellField<double>& r, CellField<double>& p, doubl
           fmt::format("the pressure solve has not converged after {} iterations (residual {:.3g}, from "
                       "{:.3g}, wanted {:.3g})",
                       max_iterations, rms, report.initial_rms, tolerance_rms));
-    // z = M^{-1} r, on the residual scaled to 1
-    const double scale = 1 / rms;
-    for_each_local_row(level, [&](int q, int i0, int j, int k, int n) {
-      const double* from = r[q].at(i0, j, k);
-      double* to = scaled_[q].at(i0, j, k);
-      for (int i = 0; i < n; ++i) to[i] = scale * from[i];
-    });
-    preconditioner_.apply(scaled_, z_);
+    preconditioner_.apply(r, 1 / rms, z_);
     const double unscale = rms * h2;
 
     std::array<double, 2> products{};  // <z, r>, <z, A d_old>
-    for_each_local_row(level, [&](int q, int i0, int j, int k, int n) {
-      const float* z = z_[q].at(i0, j, k);
-      const double* res = r[q].at(i0, j, k);
-      const double* ad = a_direction_[q].at(i0, j, k);
-      double zr = 0, zad = 0;
-#pragma omp simd reduction(+ : zr, zad)
-      for (int i = 0; i < n; ++i) {
-        zr += z[i] * res[i];
-        zad += z[i] * ad[i];
-      }
-      products[0] += zr;
-      products[1] += zad;
+    for_each_local_row(level, [&](int q, int i, int j, int k, int n) {
+      const TwoSums s = two_products_row(z_[q].at(i, j, k), r[q].at(i, j, k), a_direction_[q].at(i, j, k), n);
+      products[0] += s.first;
+      products[1] += s.second;
     });
     products = sum_over_ranks<2>(level, products);
     const double z_r = unscale * products[0];
@@ -112,51 +97,25 @@ KrylovReport FlexibleCg::solve(CellField<double>& r, CellField<double>& p, doubl
         report.iterations == 0 ? 0 : -alpha * unscale * products[1] / z_r_old;  // r - r_old = -alpha A d_old
     z_r_old = z_r;
 
-    for_each_local_row(level, [&](int q, int i0, int j, int k, int n) {
-      const float* z = z_[q].at(i0, j, k);
-      double* d = direction_[q].at(i0, j, k);
-      if (report.iterations == 0)
-        for (int i = 0; i < n; ++i) d[i] = unscale * z[i];
-      else
-        for (int i = 0; i < n; ++i) d[i] = unscale * z[i] + beta * d[i];
+    for_each_local_row(level, [&](int q, int i, int j, int k, int n) {
+      direction_row(direction_[q].at(i, j, k), z_[q].at(i, j, k), unscale, beta, n);
     });
     grid_.fill_ghosts(direction_);
 
     std::array<double, 2> curvature{};  // <d, A d>, <d, r>
-    for_each_local_row(level, [&](int q, int i0, int j, int k, int n) {
-      const double* __restrict d = direction_[q].at(i0, j, k);
-      const double* __restrict res = r[q].at(i0, j, k);
-      double* __restrict ad = a_direction_[q].at(i0, j, k);
-      const std::ptrdiff_t sy = direction_[q].stride(1), sz = direction_[q].stride(2);
-      double dad = 0, dr = 0;
-#pragma omp simd reduction(+ : dad, dr)
-      for (int i = 0; i < n; ++i) {
-        const double neighbours = (d[i - 1] + d[i + 1]) + (d[i - sy] + d[i + sy]) + (d[i - sz] + d[i + sz]);
-        const double y = (6 * d[i] - neighbours) / h2;
-        ad[i] = y;
-        dad += d[i] * y;
-        dr += d[i] * res[i];
-      }
-      curvature[0] += dad;
-      curvature[1] += dr;
+    for_each_local_row(level, [&](int q, int i, int j, int k, int n) {
+      const TwoSums s = apply_row(a_direction_[q].at(i, j, k), direction_[q].at(i, j, k), r[q].at(i, j, k), 1 / h2,
+                                  direction_[q].stride(1), direction_[q].stride(2), n);
+      curvature[0] += s.first;
+      curvature[1] += s.second;
     });
     curvature = sum_over_ranks<2>(level, curvature);
     alpha = curvature[1] / curvature[0];
 
     double square = 0;
-    for_each_local_row(level, [&](int q, int i0, int j, int k, int n) {
-      const double* __restrict d = direction_[q].at(i0, j, k);
-      const double* __restrict ad = a_direction_[q].at(i0, j, k);
-      double* __restrict x = p[q].at(i0, j, k);
-      double* __restrict res = r[q].at(i0, j, k);
-      double row = 0;
-#pragma omp simd reduction(+ : row)
-      for (int i = 0; i < n; ++i) {
-        x[i] += alpha * d[i];
-        res[i] -= alpha * ad[i];
-        row += res[i] * res[i];
-      }
-      square += row;
+    for_each_local_row(level, [&](int q, int i, int j, int k, int n) {
+      square += update_row(p[q].at(i, j, k), r[q].at(i, j, k), direction_[q].at(i, j, k), a_direction_[q].at(i, j, k),
+                           alpha, n);
     });
     rms = std::sqrt(sum_over_ranks<1>(level, {square})[0] / cells);
     ++report.iterations;

@@ -25,8 +25,9 @@ class FlexibleCg {
  private:
   const PressureGrid& grid_;
   Preconditioner& preconditioner_;
-  CellField<double> direction_, a_direction_, scaled_;
-  CellField<float> z_;
+  // The direction in single precision: A is applied to exactly what is added to p, so nothing is lost but traffic.
+  CellField<float> direction_, z_;
+  CellField<double> a_direction_;
 };
 
 }  // namespace valsalva::ib3d

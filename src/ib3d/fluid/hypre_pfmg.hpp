@@ -19,12 +19,12 @@ class HyprePfmg : public Preconditioner {
   HyprePfmg(const HyprePfmg&) = delete;
   HyprePfmg& operator=(const HyprePfmg&) = delete;
 
-  void apply(const CellField<double>& r, CellField<float>& z) override;
+  void apply(const CellField<double>& r, double scale, CellField<float>& z) override;
   void solve(const CellField<float>& r, CellField<float>& z);
 
  private:
   template <class T>
-  void run(const CellField<T>& r, CellField<float>& z);
+  void run(const CellField<T>& r, double scale, CellField<float>& z);
   struct Handles;
   std::unique_ptr<Handles> hypre_;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ib3d/fluid/advection.hpp"
+#include "ib3d/fluid/row_kernels.hpp"
 
 namespace valsalva::ib3d {
 
@@ -17,18 +18,9 @@ void advance_momentum(const Level& level, const FluidParameters& fluid, const Ma
       const IndexBox box = faces_of(level.local_box(p), c);
       const std::ptrdiff_t sy = u(p, c).stride(1), sz = u(p, c).stride(2);
       for_each_convected_row({&u(p, 0), &u(p, 1), &u(p, 2)}, c, box, [&](int j, int k, const double* div) {
-        const int i0 = box.lo[0], n = box.size(0);
-        const double* __restrict q = u(p, c).at(i0, j, k);
-        const double* __restrict fc = f(p, c).at(i0, j, k);
-        double* __restrict g = rate(p, c).at(i0, j, k);
-        double* __restrict out = u_star(p, c).at(i0, j, k);
-        for (int i = 0; i < n; ++i) {
-          const double lap =
-              (q[i - 1] + q[i + 1]) + (q[i - sy] + q[i + sy]) + (q[i - sz] + q[i + sz]) - 6 * q[i];
-          const double rate_now = convection * div[i] + diffusion * lap;
-          out[i] = q[i] + now * rate_now + before * g[i] + force * fc[i];
-          g[i] = rate_now;
-        }
+        const int i = box.lo[0];
+        momentum_row(u_star(p, c).at(i, j, k), rate(p, c).at(i, j, k), u(p, c).at(i, j, k), div, f(p, c).at(i, j, k),
+                     convection, diffusion, now, before, force, sy, sz, box.size(0));
       });
     }
 }

@@ -2,55 +2,91 @@
 
 #include <algorithm>
 
+#include "ib3d/fluid/row_kernels.hpp"
+
 namespace valsalva::ib3d {
 
 namespace {
 
 constexpr float kOverRelaxation = 1.15f;
-constexpr int kLongestRow = 4096;
+/// The cells of plane k of a box as one run of memory, from its first cell to its last. The x ghosts between the rows
+/// are swept along: with an odd row stride the colours of the checkerboard alternate through them, and their
+/// relaxation factor is zero. One long loop instead of many short ones.
+struct Plane {
+  std::ptrdiff_t length;
+  std::ptrdiff_t sy, sz;
+  Plane(const IndexBox& box, const Array3<float>& a)
+      : length((box.size(1) - 1) * a.stride(1) + box.size(0)), sy(a.stride(1)), sz(a.stride(2))
+  {
+  }
+};
 
-/// 1, 0, 1, 0, ...: the rows of one colour of the checkerboard.
-const float* colour_mask(bool first_is_set)
+/// t = rhs - (6 e - neighbours).
+inline void residual(float* __restrict t, const float* __restrict rhs, const float* __restrict e, Plane plane)
 {
-  static const std::vector<float> mask = [] {
-    std::vector<float> m(kLongestRow + 1);
-    for (std::size_t i = 0; i < m.size(); i += 2) m[i] = 1.0f;
-    return m;
-  }();
-  return mask.data() + (first_is_set ? 0 : 1);
+  for (std::ptrdiff_t i = 0; i < plane.length; ++i) t[i] = rhs[i] - 6 * e[i] + neighbours(e, i, plane.sy, plane.sz);
 }
 
-/// t = rhs - A e along a row of n cells; sy, sz the strides of e.
-inline void residual_row(float* __restrict t, const float* __restrict rhs, const float* __restrict e,
-                         std::ptrdiff_t sy, std::ptrdiff_t sz, int n)
+/// Increment of the relaxation on one colour; in two passes, since updating in place stalls on its own stores.
+inline void relax(float* __restrict e, float* __restrict t, const float* __restrict rhs, const float* __restrict w,
+                  const float* __restrict mask, Plane plane)
+{
+  for (std::ptrdiff_t i = 0; i < plane.length; ++i)
+    t[i] = mask[i] * w[i] * (rhs[i] - 6 * e[i] + neighbours(e, i, plane.sy, plane.sz));
+  for (std::ptrdiff_t i = 0; i < plane.length; ++i) e[i] += t[i];
+}
+
+/// The same from e = 0.
+inline void relax_zero(float* __restrict e, const float* __restrict rhs, const float* __restrict w,
+                       const float* __restrict mask, Plane plane)
+{
+  for (std::ptrdiff_t i = 0; i < plane.length; ++i) e[i] = mask[i] * w[i] * rhs[i];
+}
+
+inline void sum_pairs(float* __restrict out, const float* __restrict a, const float* __restrict b,
+                      const float* __restrict c, const float* __restrict d, int n)
 {
   for (int i = 0; i < n; ++i)
-    t[i] = rhs[i] - 6 * e[i] + ((e[i - 1] + e[i + 1]) + (e[i - sy] + e[i + sy]) + (e[i - sz] + e[i + sz]));
+    out[i] = 0.5f * ((a[2 * i] + a[2 * i + 1]) + (b[2 * i] + b[2 * i + 1]) + (c[2 * i] + c[2 * i + 1]) +
+                     (d[2 * i] + d[2 * i + 1]));
 }
 
 /// rhs of the coarser level = h_c^2 x mean of the residual over the eight fine cells (h^2 scaling: 4 x mean).
-void restrict_residual(const Level& coarse, const CellField<float>& rhs, const CellField<float>& e,
+void restrict_residual(const Level& coarse, const Level& fine, const CellField<float>& rhs, const CellField<float>& e,
                        CellField<float>& coarse_rhs)
 {
-  std::vector<float> sum, t;
+  std::vector<float> low, high;
   for (int p = 0; p < coarse.local_count(); ++p) {
-    const IndexBox& box = coarse.local_box(p);
-    const int n = 2 * box.size(0);
-    sum.resize(static_cast<std::size_t>(n));
-    t.resize(static_cast<std::size_t>(n));
-    for_each_row(box, [&](int j, int k) {
-      std::fill(sum.begin(), sum.end(), 0.0f);
-      for (int b = 0; b < 2; ++b)
-        for (int a = 0; a < 2; ++a) {
-          const float* row = e[p].at(2 * box.lo[0], 2 * j + a, 2 * k + b);
-          residual_row(t.data(), rhs[p].at(2 * box.lo[0], 2 * j + a, 2 * k + b), row, e[p].stride(1),
-                       e[p].stride(2), n);
-          for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += t[i];
-        }
-      float* out = coarse_rhs[p].at(box.lo[0], j, k);
-      for (int i = 0; i < box.size(0); ++i)
-        out[i] = 0.5f * (sum[static_cast<std::size_t>(2 * i)] + sum[static_cast<std::size_t>(2 * i + 1)]);
-    });
+    const IndexBox &box = coarse.local_box(p), &fine_box = fine.local_box(p);
+    const Plane plane(fine_box, e[p]);
+    low.resize(static_cast<std::size_t>(plane.length));
+    high.resize(low.size());
+    const int i = fine_box.lo[0], j0 = fine_box.lo[1];
+    for (int k = box.lo[2]; k < box.hi[2]; ++k) {
+      residual(low.data(), rhs[p].at(i, j0, 2 * k), e[p].at(i, j0, 2 * k), plane);
+      residual(high.data(), rhs[p].at(i, j0, 2 * k + 1), e[p].at(i, j0, 2 * k + 1), plane);
+      for (int j = box.lo[1]; j < box.hi[1]; ++j) {
+        const std::ptrdiff_t row = (2 * j - j0) * plane.sy;
+        sum_pairs(coarse_rhs[p].at(box.lo[0], j, k), low.data() + row, low.data() + row + plane.sy, high.data() + row,
+                  high.data() + row + plane.sy, box.size(0));
+      }
+    }
+  }
+}
+
+/// mixed = the coarse values at the height and depth of a fine row: own row with 3/4, the nearer neighbours with 1/4.
+inline void mix_row(float* __restrict mixed, const float* __restrict c, std::ptrdiff_t to_y, std::ptrdiff_t to_z, int n)
+{
+  for (int i = 0; i < n; ++i)
+    mixed[i] = 0.5625f * c[i] + 0.1875f * (c[i + to_y] + c[i + to_z]) + 0.0625f * c[i + to_y + to_z];
+}
+
+/// e += interpolation of the mixed row, whose first value belongs to the coarse cell before the first.
+inline void add_interpolated_row(float* __restrict e, const float* __restrict m, int n)
+{
+  for (int i = 0; i < n; ++i) {
+    e[2 * i] += 0.75f * m[i + 1] + 0.25f * m[i];
+    e[2 * i + 1] += 0.75f * m[i + 1] + 0.25f * m[i + 2];
   }
 }
 
@@ -64,17 +100,9 @@ void add_prolongation(const Level& fine, const CellField<float>& coarse, CellFie
     mixed.resize(static_cast<std::size_t>(n) + 2);
     const std::ptrdiff_t sy = coarse[p].stride(1), sz = coarse[p].stride(2);
     for_each_row(box, [&](int j, int k) {
-      // The two coarse rows (planes) around a fine row: its own with 3/4, the nearer neighbour with 1/4.
-      const std::ptrdiff_t to_y = (j & 1) != 0 ? sy : -sy, to_z = (k & 1) != 0 ? sz : -sz;
-      const float* c = coarse[p].at(box.lo[0] / 2 - 1, j >> 1, k >> 1);
-      float* __restrict m = mixed.data();
-      for (int i = 0; i < n + 2; ++i)
-        m[i] = 0.5625f * c[i] + 0.1875f * (c[i + to_y] + c[i + to_z]) + 0.0625f * c[i + to_y + to_z];
-      float* __restrict out = e[p].at(box.lo[0], j, k);
-      for (int i = 0; i < n; ++i) {
-        out[2 * i] += 0.75f * m[i + 1] + 0.25f * m[i];
-        out[2 * i + 1] += 0.75f * m[i + 1] + 0.25f * m[i + 2];
-      }
+      mix_row(mixed.data(), coarse[p].at(box.lo[0] / 2 - 1, j >> 1, k >> 1), (j & 1) != 0 ? sy : -sy,
+              (k & 1) != 0 ? sz : -sz, n + 2);
+      add_interpolated_row(e[p].at(box.lo[0], j, k), mixed.data(), n);
     });
   }
 }
@@ -112,30 +140,29 @@ Multilevel::Multilevel(const PressureGrid& finest)
     grid = grid.coarsened();
     levels_.emplace_back(grid);
   }
-  base_ = std::make_unique<HyprePfmg>(levels_.back().grid, 1);
+  base_ = std::make_unique<HyprePfmg>(levels_.back().grid, 2);
 }
 
 void Multilevel::smooth(MgLevel& m, CellField<float>& e, bool from_zero)
 {
   const Level& level = m.grid.level();
-  float increment[kLongestRow];
   for (int colour = 0; colour < 2; ++colour) {
     for (int p = 0; p < level.local_count(); ++p) {
       const IndexBox& box = level.local_box(p);
-      const int n = box.size(0);
-      const std::ptrdiff_t sy = e[p].stride(1), sz = e[p].stride(2);
-      for_each_row(box, [&](int j, int k) {
-        const float* __restrict mask = colour_mask(((box.lo[0] + j + k + colour) & 1) == 0);
-        const float* __restrict w = m.relaxation[p].at(box.lo[0], j, k);
-        const float* __restrict rhs = m.rhs[p].at(box.lo[0], j, k);
-        float* row = e[p].at(box.lo[0], j, k);
-        if (from_zero && colour == 0) {
-          for (int i = 0; i < n; ++i) row[i] = mask[i] * w[i] * rhs[i];
-          return;
-        }
-        residual_row(increment, rhs, row, sy, sz, n);
-        for (int i = 0; i < n; ++i) row[i] += mask[i] * w[i] * increment[i];
-      });
+      const Plane plane(box, e[p]);
+      if (static_cast<std::size_t>(plane.length) > increment_.size()) {
+        increment_.resize(static_cast<std::size_t>(plane.length));
+        mask_.resize(increment_.size() + 1);
+        for (std::size_t i = 0; i < mask_.size(); ++i) mask_[i] = i % 2 == 0 ? 1.0f : 0.0f;
+      }
+      const int i = box.lo[0], j = box.lo[1];
+      for (int k = box.lo[2]; k < box.hi[2]; ++k) {
+        const float* mask = mask_.data() + ((i + j + k + colour) & 1);
+        if (from_zero && colour == 0)
+          relax_zero(e[p].at(i, j, k), m.rhs[p].at(i, j, k), m.relaxation[p].at(i, j, k), mask, plane);
+        else
+          relax(e[p].at(i, j, k), increment_.data(), m.rhs[p].at(i, j, k), m.relaxation[p].at(i, j, k), mask, plane);
+      }
     }
     m.grid.fill_ghosts(e);
   }
@@ -151,22 +178,20 @@ void Multilevel::cycle(std::size_t l, CellField<float>& e)
   }
   MgLevel& coarse = levels_[l + 1];
   smooth(m, e, true);
-  restrict_residual(coarse.grid.level(), m.rhs, e, coarse.rhs);
+  restrict_residual(coarse.grid.level(), m.grid.level(), m.rhs, e, coarse.rhs);
   cycle(l + 1, coarse.e);
   add_prolongation(m.grid.level(), coarse.e, e);
   m.grid.fill_ghosts(e);
   smooth(m, e, false);
 }
 
-void Multilevel::apply(const CellField<double>& r, CellField<float>& z)
+void Multilevel::apply(const CellField<double>& r, double scale, CellField<float>& z)
 {
   const Level& level = levels_[0].grid.level();
   for (int p = 0; p < level.local_count(); ++p) {
     const IndexBox& box = level.local_box(p);
     for_each_row(box, [&](int j, int k) {
-      const double* from = r[p].at(box.lo[0], j, k);
-      float* to = levels_[0].rhs[p].at(box.lo[0], j, k);
-      for (int i = 0; i < box.size(0); ++i) to[i] = static_cast<float>(from[i]);
+      scale_row(levels_[0].rhs[p].at(box.lo[0], j, k), r[p].at(box.lo[0], j, k), scale, box.size(0));
     });
   }
   cycle(0, z);

@@ -16,8 +16,8 @@ class Multilevel : public Preconditioner {
  public:
   /// Collective.
   explicit Multilevel(const PressureGrid& finest);
-  /// z = one cycle for A z = r, A without its factor 1/h^2. Collective.
-  void apply(const CellField<double>& r, CellField<float>& z) override;
+  /// z = one cycle for A z = scale r. Collective.
+  void apply(const CellField<double>& r, double scale, CellField<float>& z) override;
   int level_count() const { return static_cast<int>(levels_.size()); }
 
  private:
@@ -31,6 +31,7 @@ class Multilevel : public Preconditioner {
 
   std::vector<MgLevel> levels_;
   std::unique_ptr<HyprePfmg> base_;
+  std::vector<float> increment_, mask_;  ///< one plane of work space; 1, 0, 1, 0, ...
 };
 
 }  // namespace valsalva::ib3d

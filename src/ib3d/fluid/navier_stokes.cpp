@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ib3d/fluid/row_kernels.hpp"
 #include "ib3d/grid/mirror.hpp"
 
 namespace valsalva::ib3d {
@@ -103,17 +104,9 @@ void NavierStokes::pressure_residual()
     const std::ptrdiff_t sy = p_[p].stride(1), sz = p_[p].stride(2);
     const std::ptrdiff_t fy = u_new_(p, 1).stride(1), fz = u_new_(p, 2).stride(2);
     for_each_row(box, [&](int j, int k) {
-      const double* __restrict c = p_[p].at(box.lo[0], j, k);
-      const double* __restrict x = u_new_(p, 0).at(box.lo[0], j, k);
-      const double* __restrict y = u_new_(p, 1).at(box.lo[0], j, k);
-      const double* __restrict z = u_new_(p, 2).at(box.lo[0], j, k);
-      double* __restrict r = residual_[p].at(box.lo[0], j, k);
-      for (int i = 0; i < box.size(0); ++i) {
-        const double lap =
-            (c[i - 1] + c[i + 1]) + (c[i - sy] + c[i + sy]) + (c[i - sz] + c[i + sz]) - 6 * c[i];
-        const double div = (x[i + 1] - x[i]) + (y[i + fy] - y[i]) + (z[i + fz] - z[i]);
-        r[i] = lap / h2 - source * div;
-      }
+      const int i = box.lo[0];
+      pressure_residual_row(residual_[p].at(i, j, k), p_[p].at(i, j, k), u_new_(p, 0).at(i, j, k),
+                            u_new_(p, 1).at(i, j, k), u_new_(p, 2).at(i, j, k), 1 / h2, source, sy, sz, fy, fz, box.size(0));
     });
   }
 }
@@ -165,9 +158,7 @@ void NavierStokes::finish_step(const std::vector<double>& phi)
       const IndexBox box = faces_of(level_.local_box(p), c);
       const std::ptrdiff_t s = p_[p].stride(c);
       for_each_row(box, [&](int j, int k) {
-        const double* __restrict q = p_[p].at(box.lo[0], j, k);
-        double* __restrict u = u_new_(p, c).at(box.lo[0], j, k);
-        for (int i = 0; i < box.size(0); ++i) u[i] -= factor * (q[i] - q[i - s]);
+        correct_row(u_new_(p, c).at(box.lo[0], j, k), p_[p].at(box.lo[0], j, k), factor, s, box.size(0));
       });
     }
   fill_velocity_ghosts(u_new_);

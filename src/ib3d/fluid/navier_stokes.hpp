@@ -21,7 +21,7 @@ class NavierStokes {
   /// u* from u^n; f in dyn/cm^3 on the faces.
   void begin_step(const MacField& f, double dt);
   /// Solves for p with these mean opening pressures (dyn/cm^2, one per opening) and returns the flows (ml/s,
-  /// outward) that would result. On inflow with a non-uniform profile the pressure on a face is lowered by
+  /// outward) that would result. Where the profile is not uniform the pressure on a face is lowered by
   /// rho (w|w| - W|W|), w the inward velocity and W its mean over the disc: neutral for plug flow, it keeps
   /// recirculation at an opening from growing.
   std::vector<double> solve_pressure(const std::vector<double>& opening_pressure);

@@ -16,33 +16,74 @@ bool no_pressure_anywhere(const Level& level, const std::vector<std::vector<Side
   return prescribed == 0;
 }
 
-/// ghost = (1 - 2 theta) p1 + 2 theta p_b along one side, corner ghosts included; p_b may be null (zero).
+/// ghost = a x first value inside, along a line of n ghosts with distance `step`; `inward` leads inside.
 template <class T>
-void fill_side(const Level& level, const SidePlane<float>& theta, const SidePlane<double>* p_b, Array3<T>& p)
+inline void fill_line(T* ghost, const float* __restrict a, std::ptrdiff_t inward, std::ptrdiff_t step, int n)
 {
-  const int d = side_direction(theta.side);
+  if (step == 1)
+    for (int i = 0; i < n; ++i) ghost[i] = static_cast<T>(a[i]) * ghost[i + inward];
+  else
+    for (int i = 0; i < n; ++i) ghost[i * step] = static_cast<T>(a[i]) * ghost[i * step + inward];
+}
+
+/// ghost = (1 - 2 theta) p1 along one side, corner ghosts included.
+template <class T>
+void fill_side(const Level& level, const SidePlane<float>& reflection, Array3<T>& p)
+{
+  const int d = side_direction(reflection.side);
   const auto dd = static_cast<std::size_t>(d);
-  const bool high = side_is_high(theta.side);
-  const int ghost = high ? level.box.hi[dd] : level.box.lo[dd] - 1;
+  const bool high = side_is_high(reflection.side);
   const std::ptrdiff_t inward = (high ? -1 : 1) * p.stride(d);
-  for (int b = theta.lo2 - 1; b <= theta.lo2 + theta.n2; ++b)
-    for (int a = theta.lo1 - 1; a <= theta.lo1 + theta.n1; ++a) {
-      Int3 at{};
-      at[dd] = ghost;
+  Int3 at{};
+  at[dd] = high ? level.box.hi[dd] : level.box.lo[dd] - 1;
+  at[static_cast<std::size_t>(reflection.t1)] = reflection.lo1;
+  for (int b = reflection.lo2; b < reflection.lo2 + reflection.n2; ++b) {
+    at[static_cast<std::size_t>(reflection.t2)] = b;
+    fill_line(p.at(at[0], at[1], at[2]), &reflection.value[static_cast<std::size_t>((b - reflection.lo2) * reflection.n1)],
+              inward, p.stride(reflection.t1), reflection.n1);
+  }
+}
+
+/// Adds 2 theta p_b on the cells' ghosts of one side.
+void add_prescribed(const Level& level, const SidePlane<float>& theta, const SidePlane<double>& p_b, Array3<double>& p)
+{
+  const auto dd = static_cast<std::size_t>(side_direction(theta.side));
+  Int3 at{};
+  at[dd] = side_is_high(theta.side) ? level.box.hi[dd] : level.box.lo[dd] - 1;
+  for (int b = theta.lo2; b < theta.lo2 + theta.n2; ++b)
+    for (int a = theta.lo1; a < theta.lo1 + theta.n1; ++a) {
       at[static_cast<std::size_t>(theta.t1)] = a;
       at[static_cast<std::size_t>(theta.t2)] = b;
-      T* g = p.at(at[0], at[1], at[2]);
-      const T share = static_cast<T>(theta.clamped(a, b));
-      *g = (1 - 2 * share) * g[inward];
-      if (p_b != nullptr) *g += 2 * share * static_cast<T>(p_b->clamped(a, b));
+      p(at[0], at[1], at[2]) += 2 * static_cast<double>(theta(a, b)) * p_b(a, b);
     }
+}
+
+/// 1 - 2 theta on the plane and one ring of corner ghosts around it, which repeat the nearest face.
+std::vector<SidePlane<float>> reflections(const std::vector<SidePlane<float>>& shares)
+{
+  std::vector<SidePlane<float>> planes;
+  for (const SidePlane<float>& theta : shares) {
+    SidePlane<float> r = theta;
+    r.lo1 -= 1;
+    r.lo2 -= 1;
+    r.n1 += 2;
+    r.n2 += 2;
+    r.value.resize(static_cast<std::size_t>(r.n1) * static_cast<std::size_t>(r.n2));
+    for (int b = r.lo2; b < r.lo2 + r.n2; ++b)
+      for (int a = r.lo1; a < r.lo1 + r.n1; ++a) r(a, b) = 1 - 2 * theta.clamped(a, b);
+    planes.push_back(std::move(r));
+  }
+  return planes;
 }
 
 }  // namespace
 
 PressureGrid::PressureGrid(const Level& level, const std::vector<Opening>& openings) : level_(level)
 {
-  for (int p = 0; p < level.local_count(); ++p) shares_.push_back(pressure_shares(level, p, openings));
+  for (int p = 0; p < level.local_count(); ++p) {
+    shares_.push_back(pressure_shares(level, p, openings));
+    reflections_.push_back(reflections(shares_.back()));
+  }
   singular_ = no_pressure_anywhere(level_, shares_);
   halo_.push_back(Halo::for_cells(level_, 1));
 }
@@ -65,6 +106,7 @@ PressureGrid PressureGrid::coarsened() const
         }
       coarse.shares_.back().push_back(std::move(plane));
     }
+    coarse.reflections_.push_back(reflections(coarse.shares_.back()));
   }
   return coarse;
 }
@@ -85,17 +127,17 @@ void PressureGrid::fill_ghosts(CellField<T>& p) const
 {
   halo_[0].fill(p);
   for (int patch = 0; patch < p.patch_count(); ++patch)
-    for (const SidePlane<float>& theta : shares(patch)) fill_side(level_, theta, nullptr, p[patch]);
+    for (const SidePlane<float>& r : reflections_[static_cast<std::size_t>(patch)]) fill_side(level_, r, p[patch]);
 }
 template void PressureGrid::fill_ghosts(CellField<double>&) const;
 template void PressureGrid::fill_ghosts(CellField<float>&) const;
 
 void PressureGrid::fill_ghosts(CellField<double>& p, const BoundaryPressure& p_b) const
 {
-  halo_[0].fill(p);
+  fill_ghosts(p);
   for (int patch = 0; patch < p.patch_count(); ++patch)
     for (std::size_t s = 0; s < shares(patch).size(); ++s)
-      fill_side(level_, shares(patch)[s], &p_b[static_cast<std::size_t>(patch)][s], p[patch]);
+      add_prescribed(level_, shares(patch)[s], p_b[static_cast<std::size_t>(patch)][s], p[patch]);
 }
 
 double dot(const Level& level, const CellField<double>& a, const CellField<double>& b)

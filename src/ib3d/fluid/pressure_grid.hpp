@@ -30,7 +30,7 @@ class PressureGrid {
   /// Fills all ghosts for p_b = 0. Collective.
   template <class T>
   void fill_ghosts(CellField<T>& p) const;
-  /// Fills all ghosts for the given p_b. Collective.
+  /// Fills all ghosts for the given p_b (edge and corner ghosts as for p_b = 0). Collective.
   void fill_ghosts(CellField<double>& p, const BoundaryPressure& p_b) const;
 
   /// The next coarser grid of the multigrid: boxes halved, theta = 1.25 x the mean of the four finer faces,
@@ -40,7 +40,7 @@ class PressureGrid {
  private:
   PressureGrid() = default;
   Level level_;
-  std::vector<std::vector<SidePlane<float>>> shares_;
+  std::vector<std::vector<SidePlane<float>>> shares_, reflections_;  ///< theta; 1 - 2 theta with a ring of ghosts
   bool singular_ = false;
   std::vector<Halo> halo_;  ///< exactly one; a vector so that the grid can be built in two steps
 };

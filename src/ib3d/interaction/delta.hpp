@@ -12,11 +12,14 @@ namespace valsalva::ib3d {
 /// Number of grid points that a node touches in each direction.
 inline constexpr int kDeltaWidth = 4;
 
+/// The square root in phi for a point at fraction r in [0, 1) above a lattice point.
+inline double delta_root(double r) { return std::sqrt(1 + 4 * r - 4 * r * r); }
+
 /// The four weights on a lattice with unit spacing for a point at fraction r in [0, 1) above lattice point 0:
 /// w[m] belongs to lattice point m - 1.
 inline void delta_weights(double r, double w[kDeltaWidth])
 {
-  const double root = std::sqrt(1 + 4 * r - 4 * r * r);
+  const double root = delta_root(r);
   const double left = 3 - 2 * r, right = 1 + 2 * r;
   w[0] = 0.125 * (left - root);
   w[1] = 0.125 * (left + root);

@@ -11,29 +11,79 @@ namespace {
 using Four = double __attribute__((vector_size(32)));
 using FourInMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
 
-/// Indices and weights of one node on the two lattices of each direction: [d][0] faces, [d][1] cell centres.
+/// Lattices of one node: faces along x, y, z, then cell centres along x, y, z; two lanes of padding.
+constexpr int kLattices = 6, kLanes = 8;
+
 struct Support {
-  int start[3][2];
-  double weight[3][2][kDeltaWidth];
+  int start[kLanes];        ///< lowest of the four lattice points
+  Four weight[kLattices];   ///< of the four points
 };
 
-inline Support support_of(const Vec3& X, double inverse_h)
+inline void find_support(const Vec3& X, double inverse_h, Support& s)
 {
-  Support s;
-  for (int d = 0; d < 3; ++d)
-    for (int lattice = 0; lattice < 2; ++lattice) {
-      const double at = X[d] * inverse_h - 0.5 * lattice;
-      const double below = std::floor(at);
-      s.start[d][lattice] = static_cast<int>(below) - 1;
-      delta_weights(at - below, s.weight[d][lattice]);
-    }
-  return s;
+  const double at[kLanes] = {X[0] * inverse_h,       X[1] * inverse_h,       X[2] * inverse_h, X[0] * inverse_h - 0.5,
+                             X[1] * inverse_h - 0.5, X[2] * inverse_h - 0.5, 0.0,              0.0};
+  double r[kLanes], root[kLanes];
+  for (int l = 0; l < kLanes; ++l) {
+    const double below = std::floor(at[l]);
+    s.start[l] = static_cast<int>(below) - 1;
+    r[l] = at[l] - below;
+    root[l] = delta_root(r[l]);
+  }
+  for (int l = 0; l < kLattices; ++l)
+    s.weight[l] = Four{0.375, 0.375, 0.125, 0.125} + r[l] * Four{-0.25, -0.25, 0.25, 0.25} +
+                  root[l] * Four{-0.125, 0.125, 0.125, -0.125};
 }
 
 /// The lattice of direction d for component c.
-constexpr int lattice_of(int c, int d)
+constexpr int lattice_of(int c, int d) { return c == d ? d : 3 + d; }
+
+/// Weights of component c along x, and the products of those along y and z, row j + 4 k.
+struct RowWeights {
+  Four x;
+  double yz[kDeltaWidth * kDeltaWidth];
+};
+
+inline RowWeights row_weights(const Support& s, int c)
 {
-  return c == d ? 0 : 1;
+  RowWeights w;
+  w.x = s.weight[lattice_of(c, 0)];
+  const Four y = s.weight[lattice_of(c, 1)], z = s.weight[lattice_of(c, 2)];
+  for (int k = 0; k < kDeltaWidth; ++k) *reinterpret_cast<FourInMemory*>(w.yz + kDeltaWidth * k) = z[k] * y;
+  return w;
+}
+
+template <class T>
+inline T* corner_of(const Support& s, int c, T* origin, const IndexBox& stored, std::ptrdiff_t sy, std::ptrdiff_t sz)
+{
+  return origin + (s.start[lattice_of(c, 0)] - stored.lo[0]) + (s.start[lattice_of(c, 1)] - stored.lo[1]) * sy +
+         (s.start[lattice_of(c, 2)] - stored.lo[2]) * sz;
+}
+
+inline void add_to_rows(double* corner, std::ptrdiff_t sy, std::ptrdiff_t sz, const RowWeights& w, double force)
+{
+  const Four x = force * w.x;
+  for (int k = 0; k < kDeltaWidth; ++k, corner += sz) {
+    double* row = corner;
+    for (int j = 0; j < kDeltaWidth; ++j, row += sy) {
+      auto* four = reinterpret_cast<FourInMemory*>(row);
+      *four = *four + w.yz[kDeltaWidth * k + j] * x;
+    }
+  }
+}
+
+inline double sum_of_rows(const double* corner, std::ptrdiff_t sy, std::ptrdiff_t sz, const RowWeights& w)
+{
+  Four even{}, odd{};
+  for (int k = 0; k < kDeltaWidth; ++k, corner += sz) {
+    const auto row = [&](int j) { return *reinterpret_cast<const FourInMemory*>(corner + j * sy); };
+    even += w.yz[kDeltaWidth * k] * row(0);
+    odd += w.yz[kDeltaWidth * k + 1] * row(1);
+    even += w.yz[kDeltaWidth * k + 2] * row(2);
+    odd += w.yz[kDeltaWidth * k + 3] * row(3);
+  }
+  const Four sum = (even + odd) * w.x;
+  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
 }  // namespace
@@ -44,21 +94,15 @@ void Interaction::spread(std::span<const int> first, std::span<const Vec3> X, st
   const double inverse_h = 1 / level_.h, inverse_volume = inverse_h * inverse_h * inverse_h;
   f.set_zero();
   for (int p = 0; p < level_.local_count(); ++p) {
+    const IndexBox stored = f(p, 0).stored();
     const std::ptrdiff_t sy = f(p, 0).stride(1), sz = f(p, 0).stride(2);
+    double* const origin[3] = {f(p, 0).data().data(), f(p, 1).data().data(), f(p, 2).data().data()};
     for (int n = first[static_cast<std::size_t>(p)]; n < first[static_cast<std::size_t>(p) + 1]; ++n) {
       const auto node = static_cast<std::size_t>(n);
-      const Support s = support_of(X[node], inverse_h);
-      for (int c = 0; c < 3; ++c) {
-        const int lx = lattice_of(c, 0), ly = lattice_of(c, 1), lz = lattice_of(c, 2);
-        double* corner = f(p, c).at(s.start[0][lx], s.start[1][ly], s.start[2][lz]);
-        Four x;
-        for (int m = 0; m < kDeltaWidth; ++m) x[m] = s.weight[0][lx][m] * F[node][c] * inverse_volume;
-        for (int k = 0; k < kDeltaWidth; ++k)
-          for (int j = 0; j < kDeltaWidth; ++j) {
-            auto* row = reinterpret_cast<FourInMemory*>(corner + j * sy + k * sz);
-            *row = *row + (s.weight[1][ly][j] * s.weight[2][lz][k]) * x;
-          }
-      }
+      Support s;
+      find_support(X[node], inverse_h, s);
+      for (int c = 0; c < 3; ++c)
+        add_to_rows(corner_of(s, c, origin[c], stored, sy, sz), sy, sz, row_weights(s, c), F[node][c] * inverse_volume);
     }
   }
   fold_mirrored(level_, f);
@@ -70,24 +114,15 @@ void Interaction::interpolate(std::span<const int> first, std::span<const Vec3> 
 {
   const double inverse_h = 1 / level_.h;
   for (int p = 0; p < level_.local_count(); ++p) {
+    const IndexBox stored = u(p, 0).stored();
     const std::ptrdiff_t sy = u(p, 0).stride(1), sz = u(p, 0).stride(2);
+    const double* const origin[3] = {u(p, 0).data().data(), u(p, 1).data().data(), u(p, 2).data().data()};
     for (int n = first[static_cast<std::size_t>(p)]; n < first[static_cast<std::size_t>(p) + 1]; ++n) {
       const auto node = static_cast<std::size_t>(n);
-      const Support s = support_of(X[node], inverse_h);
-      for (int c = 0; c < 3; ++c) {
-        const int lx = lattice_of(c, 0), ly = lattice_of(c, 1), lz = lattice_of(c, 2);
-        const double* corner = u(p, c).at(s.start[0][lx], s.start[1][ly], s.start[2][lz]);
-        Four sum{};
-        for (int k = 0; k < kDeltaWidth; ++k) {
-          Four plane{};
-          for (int j = 0; j < kDeltaWidth; ++j)
-            plane += s.weight[1][ly][j] * *reinterpret_cast<const FourInMemory*>(corner + j * sy + k * sz);
-          sum += s.weight[2][lz][k] * plane;
-        }
-        double value = 0;
-        for (int m = 0; m < kDeltaWidth; ++m) value += s.weight[0][lx][m] * sum[m];
-        U[node][c] = value;
-      }
+      Support s;
+      find_support(X[node], inverse_h, s);
+      for (int c = 0; c < 3; ++c)
+        U[node][c] = sum_of_rows(corner_of(s, c, origin[c], stored, sy, sz), sy, sz, row_weights(s, c));
     }
   }
 }

@@ -1,0 +1,75 @@
+// The aortic root on a coarse grid: the same on any number of ranks, to rounding times the sharpness of the
+// pressure solve; the same bit for bit when repeated on the same ranks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "coupling/case_keys.hpp"
+#include "coupling/model_from_case.hpp"
+
+namespace valsalva::coupling {
+namespace {
+
+struct Outcome {
+  std::vector<double> flow, pressure, states;
+  std::vector<Vec3> X;
+};
+
+/// `steps` steps of 1e-4 s with the ventricle's pressure rising at once, so that the valve begins to move.
+Outcome run(MPI_Comm comm, int steps)
+{
+  const auto root = std::filesystem::path(__FILE__).parent_path() / "../../../cases/aortic_root/case.toml";
+  const CaseFile c = CaseFile::read(root.string(), case_keys(),
+                                    {"grid.finest_cm=0.2083333333", "time.dt_fixed_s=1e-4",
+                                     "pressure.divergence_tolerance_1_s=1e-9",
+                                     "element.ventricle.time_s=[0.0, 0.002, 0.15]",
+                                     "element.ventricle.pressure_mmHg=[0.0, 20.0, 120.0]"});
+  Timers timers;
+  CaseModel m(c, comm, timers);
+  for (int n = 0; n < steps; ++n) m.model().advance(m.model().next_step(1.0));
+  const InterfaceState& end = m.model().interface();
+  const ib3d::NodeOwner& nodes = m.root().nodes();
+  return {end.flow_ml_s, end.pressure_mmHg, m.circulation().state().y, nodes.gather(m.root().X())};
+}
+
+/// Largest difference over the largest value of b.
+double relative(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double difference = a.size() == b.size() ? 0 : 1e300, scale = 0;
+  for (std::size_t n = 0; n < b.size(); ++n) {
+    difference = std::max(difference, std::abs(a[n] - b[n]));
+    scale = std::max(scale, std::abs(b[n]));
+  }
+  return difference / scale;
+}
+
+double largest_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
+{
+  double m = a.size() == b.size() ? 0 : 1e300;
+  for (std::size_t n = 0; n < b.size(); ++n) m = std::max(m, norm(a[n] - b[n]));
+  return m;
+}
+
+TEST(AorticRoot, FlowsPressuresAndNodesDoNotDependOnTheNumberOfRanks)
+{
+  const Outcome alone = run(MPI_COMM_SELF, 20), together = run(MPI_COMM_WORLD, 20);
+  EXPECT_GT(std::abs(alone.flow[1]), 1.0);  // there is something to compare
+  EXPECT_LT(relative(together.flow, alone.flow), 1e-10);
+  EXPECT_LT(relative(together.pressure, alone.pressure), 1e-10);
+  EXPECT_LT(relative(together.states, alone.states), 1e-10);
+  EXPECT_LT(largest_difference(together.X, alone.X), 1e-10);
+}
+
+TEST(AorticRoot, RepeatedRunIsTheSameBitForBit)
+{
+  const Outcome a = run(MPI_COMM_WORLD, 10), b = run(MPI_COMM_WORLD, 10);
+  EXPECT_EQ(a.flow, b.flow);
+  EXPECT_EQ(a.pressure, b.pressure);
+  EXPECT_EQ(a.states, b.states);
+  EXPECT_EQ(largest_difference(a.X, b.X), 0);
+}
+
+}  // namespace
+}  // namespace valsalva::coupling

@@ -1,0 +1,132 @@
+// Nodes on several ranks: wherever they are and however often they move house, the positions gathered and the
+// forces summed are those of the whole network on one rank.
+#include "ib3d/interaction/node_owner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/error.hpp"
+#include "ib3d/fluid/tube.hpp"
+#include "ib3d/structure/fiber_force.hpp"
+#include "ib3d/structure/random_network.hpp"
+
+namespace valsalva::ib3d {
+namespace {
+
+constexpr int kNodes = 200;
+const Vec3 kSize{2, 2, 4};
+
+/// Positions inside the box, another set for every round.
+std::vector<Vec3> positions(int round)
+{
+  std::vector<Vec3> X = random_vectors(kNodes, 31 + static_cast<unsigned>(round));
+  for (Vec3& x : X) x = {1 + 0.999 * x[0], 1 + 0.999 * x[1], 2 + 1.999 * x[2]};
+  return X;
+}
+
+FiberNetwork network()
+{
+  FiberNetwork n = random_network(kNodes, 5);
+  n.X = positions(0);
+  return n;
+}
+
+double largest_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
+{
+  double m = a.size() == b.size() ? 0 : 1e300;
+  for (std::size_t n = 0; n < std::min(a.size(), b.size()); ++n) m = std::max(m, norm(a[n] - b[n]));
+  return m;
+}
+
+std::vector<Vec3> local_values(const NodeOwner& nodes, const std::vector<Vec3>& global)
+{
+  std::vector<Vec3> local;
+  for (int n : nodes.part().global) local.push_back(global[static_cast<std::size_t>(n)]);
+  return local;
+}
+
+int owned_by_all(const NodeOwner& nodes)
+{
+  int sum = nodes.owned();
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
+  return sum;
+}
+
+TEST(NodeOwner, MovingAcrossBoxesKeepsPositionsAndForces)
+{
+  for (const int boxes : {0, 8}) {
+    const Hierarchy grid(walled_box(kSize), 0.125, MPI_COMM_WORLD, boxes);
+    const Level& level = grid.finest();
+    NodeOwner nodes(network(), level);
+    std::vector<Vec3> X = nodes.part().network.X;
+    for (int round = 0; round < 4; ++round) {
+      const std::vector<Vec3> wanted = positions(round);
+      std::vector<Vec3> moved = local_values(nodes, wanted);
+      EXPECT_EQ(round > 0, nodes.has_strays(moved) || level.patches.size() == 1);
+      for (std::size_t n = static_cast<std::size_t>(nodes.owned()); n < moved.size(); ++n)
+        moved[n] = {1e9, 1e9, 1e9};  // only the owner's word counts
+      X = nodes.redistribute(moved);
+      EXPECT_EQ(owned_by_all(nodes), kNodes);
+      EXPECT_FALSE(nodes.has_strays(X));
+      EXPECT_EQ(largest_difference(nodes.gather(X), wanted), 0);
+      EXPECT_EQ(largest_difference(X, local_values(nodes, wanted)), 0);
+
+      std::vector<Vec3> F(X.size()), F_whole(kNodes);
+      fiber_force(nodes.part().network, X, F);
+      fiber_force(nodes.whole(), wanted, F_whole);
+      EXPECT_LT(largest_difference(nodes.gather(F), F_whole), 1e-11);
+    }
+  }
+}
+
+TEST(NodeOwner, NodesLieInThePatchTheyAreCountedIn)
+{
+  const Hierarchy grid(walled_box(kSize), 0.125, MPI_COMM_WORLD, 8);
+  const Level& level = grid.finest();
+  const NodeOwner nodes(network(), level);
+  for (int p = 0; p < level.local_count(); ++p)
+    for (int n = nodes.first()[static_cast<std::size_t>(p)]; n < nodes.first()[static_cast<std::size_t>(p) + 1];
+         ++n) {
+      Int3 cell{};
+      for (int d = 0; d < 3; ++d)
+        cell[static_cast<std::size_t>(d)] =
+            static_cast<int>(std::floor(nodes.part().network.X[static_cast<std::size_t>(n)][d] / level.h));
+      EXPECT_TRUE(level.local_box(p).contains(cell));
+    }
+  EXPECT_EQ(nodes.first().back(), nodes.owned());
+}
+
+TEST(NodeOwner, CopiesHoldTheValuesOfTheOwners)
+{
+  const Hierarchy grid(walled_box(kSize), 0.125, MPI_COMM_WORLD);
+  const NodeOwner nodes(network(), grid.finest());
+  const std::vector<Vec3> wanted = random_vectors(kNodes, 99);
+  std::vector<Vec3> values = local_values(nodes, wanted);
+  std::fill(values.begin() + nodes.owned(), values.end(), Vec3{0, 0, 0});
+  nodes.fill_copies(values);
+  EXPECT_EQ(largest_difference(values, local_values(nodes, wanted)), 0);
+  const std::vector<int> few{17, 3, 190};
+  const std::vector<Vec3> found = nodes.gather(values, few);
+  for (std::size_t m = 0; m < few.size(); ++m)
+    EXPECT_EQ(norm(found[m] - wanted[static_cast<std::size_t>(few[m])]), 0);
+}
+
+TEST(NodeOwner, LostNodesAndNumbersThatAreNoneAreErrorsOnAllRanks)
+{
+  const Hierarchy grid(walled_box(kSize), 0.125, MPI_COMM_WORLD);
+  for (const double bad : {7.0, std::nan("")}) {
+    NodeOwner nodes(network(), grid.finest());
+    std::vector<Vec3> X = nodes.part().network.X;
+    for (int n = 0; n < nodes.owned(); ++n)
+      if (nodes.part().global[static_cast<std::size_t>(n)] == 11) {
+        X[static_cast<std::size_t>(n)][2] = bad;
+        EXPECT_TRUE(nodes.has_strays(X));
+      }
+    EXPECT_THROW(nodes.redistribute(X), SolverError);
+  }
+}
+
+}  // namespace
+}  // namespace valsalva::ib3d
