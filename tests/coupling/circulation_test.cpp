@@ -25,10 +25,10 @@ Eigen::Matrix2d response(double L)
 TEST(Circulation, ClosureWithWindkesselAndSourceIsTheClosedForm)
 {
   const double Rc = 0.033, Rp = 0.79, C = 1.75, Pc = 85;
-  Circulation circulation({{pressure_table("ventricle", "lv", {0, 0.1}, {80, 120}),
-                            windkessel("arteries", "ao", Rc, Rp, C, Pc)},
-                           {"lv", "ao"},
-                           0.0});
+  Circulation circulation(
+      {{pressure_table("ventricle", "lv", {0, 0.1}, {80, 120}), windkessel("arteries", "ao", Rc, Rp, C, Pc)},
+       {"lv", "ao"},
+       0.0});
   const std::vector<double> Q{-50, 50};
   const Eigen::Vector2d Q0(-190, 190), p_used(100, 90);
   const Eigen::Matrix2d G = response(0.003);

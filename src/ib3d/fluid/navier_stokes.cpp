@@ -37,6 +37,7 @@ NavierStokes::NavierStokes(const Level& level, std::vector<Opening> openings, co
       solver_(level_, openings_, pressure),
       modes_(level_, openings_, solver_, fluid.density),
       faces_(Halo::for_faces(level_)),
+      shared_faces_(Halo::for_faces(level_, 0)),
       u_(level_),
       u_new_(level_),
       rate_(level_),
@@ -69,6 +70,7 @@ void NavierStokes::begin_step(const MacField& f, double dt)
   const double w1 = dt_before_ > 0 ? -0.5 * dt / dt_before_ : 0.0;
   advance_momentum(level_, fluid_, u_, f, dt, w1, rate_, u_new_);
   close_walls(level_, solver_.grid(), u_new_);
+  shared_faces_.fill(u_new_);  // f is complete on owned faces only
 }
 
 void NavierStokes::prescribe(const std::vector<double>& opening_pressure)

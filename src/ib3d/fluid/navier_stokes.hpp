@@ -55,7 +55,8 @@ class NavierStokes {
   FluidParameters fluid_;
   PressureSolver solver_;
   OpeningModes modes_;
-  Halo faces_;
+  Halo faces_;         ///< all ghosts of a velocity
+  Halo shared_faces_;  ///< only the faces that two patches share, from their owner
   MacField u_, u_new_, rate_;
   CellField<double> p_, p_before_, residual_;
   BoundaryPressure p_b_;

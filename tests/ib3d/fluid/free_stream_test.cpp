@@ -62,8 +62,7 @@ TEST(NavierStokes, ForceWithAPotentialMovesNothingInAClosedBox)
   for (int p = 0; p < level.local_count(); ++p)
     for_each_index(level.local_box(p), [&](int i, int j, int k) {
       const double rest_of_p =
-          fluid.p()[p](i, j, k) -
-          potential({(i + 0.5) * level.h, (j + 0.5) * level.h, (k + 0.5) * level.h});
+          fluid.p()[p](i, j, k) - potential({(i + 0.5) * level.h, (j + 0.5) * level.h, (k + 0.5) * level.h});
       low = std::min(low, rest_of_p);
       high = std::max(high, rest_of_p);
     });

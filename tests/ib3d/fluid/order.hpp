@@ -15,7 +15,7 @@ struct ExactFlow {
   std::function<Domain(double h)> domain;
   double length = 1;  ///< cm: n cells cover it
   FluidParameters fluid;
-  std::function<double(int c, const Vec3& x, double t)> velocity, force;
+  std::function<double(int c, const Vec3&x, double t)> velocity, force;
   std::function<double(const Vec3& x, double t)> pressure;
   double end_s = 0.25, dt_per_h = 0.1;
 };
@@ -76,8 +76,9 @@ inline FlowErrors flow_errors(const ExactFlow& flow, int n)
   double mean = 0;
   const IndexBox& box = level.local_box(0);
   for (int c = 0; c < 3; ++c)
-    for_each_index(owned_faces(level, box, c),
-                   [&](int i, int j, int k) { u.push_back(fluid.u()(0, c)(i, j, k) - field(0, c)(i, j, k)); });
+    for_each_index(owned_faces(level, box, c), [&](int i, int j, int k) {
+      u.push_back(fluid.u()(0, c)(i, j, k) - field(0, c)(i, j, k));
+    });
   for_each_index(box, [&](int i, int j, int k) {
     p.push_back(fluid.p()[0](i, j, k) -
                 flow.pressure({(i + 0.5) * h, (j + 0.5) * h, (k + 0.5) * h}, flow.end_s - 0.5 * dt));

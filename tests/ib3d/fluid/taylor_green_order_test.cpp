@@ -18,9 +18,7 @@ ExactFlow taylor_green()
 {
   ExactFlow flow;
   flow.length = 2 * std::numbers::pi;
-  flow.domain = [](double h) {
-    return periodic_box({2 * std::numbers::pi, 2 * std::numbers::pi, 8 * h});
-  };
+  flow.domain = [](double h) { return periodic_box({2 * std::numbers::pi, 2 * std::numbers::pi, 8 * h}); };
   flow.fluid = {1.06, 1.06 * kNu, true};
   flow.velocity = [](int c, const Vec3& x, double t) {
     const double a = x[0] - kU * t, b = x[1] - kV * t, e = std::exp(-2 * kNu * t);

@@ -15,7 +15,10 @@ namespace {
 
 constexpr double kPi = std::numbers::pi, kRho = 1.06, kNu = 0.05;
 
-double rate(double t) { return std::cos(2 * t); }
+double rate(double t)
+{
+  return std::cos(2 * t);
+}
 
 ExactFlow between_open_sides()
 {
@@ -29,8 +32,7 @@ ExactFlow between_open_sides()
   flow.fluid = {kRho, kRho * kNu, true};
   flow.velocity = [](int c, const Vec3& x, double t) {
     if (c == 0) return 0.0;
-    return -rate(t) *
-           (c == 1 ? std::sin(x[2]) * std::sin(x[1]) : std::cos(x[2]) * std::cos(x[1]));
+    return -rate(t) * (c == 1 ? std::sin(x[2]) * std::sin(x[1]) : std::cos(x[2]) * std::cos(x[1]));
   };
   flow.pressure = [](const Vec3& x, double t) { return kRho * std::sin(x[2]) * std::cos(x[1]) * rate(t); };
   flow.force = [](int c, const Vec3& x, double t) {

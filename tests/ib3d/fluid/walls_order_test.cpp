@@ -15,7 +15,10 @@ namespace {
 
 constexpr double kPi = std::numbers::pi, kRho = 1.06, kNu = 0.01;
 
-double rate(double t) { return std::cos(2 * t); }
+double rate(double t)
+{
+  return std::cos(2 * t);
+}
 
 /// The velocity with its derivatives, for g = 1.
 struct Shape {

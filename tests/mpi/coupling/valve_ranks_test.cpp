@@ -21,11 +21,10 @@ struct Outcome {
 Outcome run(MPI_Comm comm, int steps)
 {
   const auto root = std::filesystem::path(__FILE__).parent_path() / "../../../cases/aortic_root/case.toml";
-  const CaseFile c = CaseFile::read(root.string(), case_keys(),
-                                    {"grid.finest_cm=0.2083333333", "time.dt_fixed_s=1e-4",
-                                     "pressure.divergence_tolerance_1_s=1e-9",
-                                     "element.ventricle.time_s=[0.0, 0.002, 0.15]",
-                                     "element.ventricle.pressure_mmHg=[0.0, 20.0, 120.0]"});
+  const CaseFile c = CaseFile::read(
+      root.string(), case_keys(),
+      {"grid.finest_cm=0.2083333333", "time.dt_fixed_s=1e-4", "pressure.divergence_tolerance_1_s=1e-9",
+       "element.ventricle.time_s=[0.0, 0.002, 0.15]", "element.ventricle.pressure_mmHg=[0.0, 20.0, 120.0]"});
   Timers timers;
   CaseModel m(c, comm, timers);
   for (int n = 0; n < steps; ++n) m.model().advance(m.model().next_step(1.0));

@@ -64,7 +64,9 @@ TEST(NodeOwner, MovingAcrossBoxesKeepsPositionsAndForces)
     for (int round = 0; round < 4; ++round) {
       const std::vector<Vec3> wanted = positions(round);
       std::vector<Vec3> moved = local_values(nodes, wanted);
-      EXPECT_EQ(round > 0, nodes.has_strays(moved) || level.patches.size() == 1);
+      int strays = nodes.has_strays(moved) ? 1 : 0;
+      MPI_Allreduce(MPI_IN_PLACE, &strays, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+      EXPECT_EQ(strays == 1, round > 0 && level.patches.size() > 1);
       for (std::size_t n = static_cast<std::size_t>(nodes.owned()); n < moved.size(); ++n)
         moved[n] = {1e9, 1e9, 1e9};  // only the owner's word counts
       X = nodes.redistribute(moved);
@@ -87,8 +89,8 @@ TEST(NodeOwner, NodesLieInThePatchTheyAreCountedIn)
   const Level& level = grid.finest();
   const NodeOwner nodes(network(), level);
   for (int p = 0; p < level.local_count(); ++p)
-    for (int n = nodes.first()[static_cast<std::size_t>(p)]; n < nodes.first()[static_cast<std::size_t>(p) + 1];
-         ++n) {
+    for (int n = nodes.first()[static_cast<std::size_t>(p)];
+         n < nodes.first()[static_cast<std::size_t>(p) + 1]; ++n) {
       Int3 cell{};
       for (int d = 0; d < 3; ++d)
         cell[static_cast<std::size_t>(d)] =

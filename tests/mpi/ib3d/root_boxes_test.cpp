@@ -1,0 +1,92 @@
+// Fluid and structure together do not notice how the domain is cut into boxes: velocity and nodes after some
+// steps on many boxes and ranks are those of one box on one rank, also where nodes sit on the cuts.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ib3d/fluid/tube.hpp"
+#include "ib3d/root_solver.hpp"
+#include "ib3d/structure/random_network.hpp"
+
+namespace valsalva::ib3d {
+namespace {
+
+const Vec3 kSize{2, 2, 4};
+
+/// A tangle of strong springs across the whole box.
+FiberNetwork tangle()
+{
+  FiberNetwork network = random_network(150, 5);
+  for (Vec3& x : network.X) x = {1 + 0.95 * x[0], 1 + 0.95 * x[1], 2 + 1.95 * x[2]};
+  for (double& k : network.springs.stiffness) k *= 20;
+  return network;
+}
+
+std::vector<Opening> two_discs()
+{
+  return {{"inlet", 4, {1, 1, 0}, 0.6, "lv"}, {"outlet", 5, {1, 1, 0}, 0.7, "ao"}};
+}
+
+struct Run {
+  Run(MPI_Comm comm, int boxes, StructureScheme scheme)
+      : grid(walled_box(kSize), 0.125, comm, boxes),
+        root(grid.finest(), two_discs(), {}, {"multilevel", 1e-11, 100}, tangle(), scheme, timers)
+  {
+    for (int step = 0; step < 4; ++step) {
+      root.begin_step(1e-3);
+      root.solve_fluid({200, 100});
+      root.accept({1, 2});
+    }
+  }
+  Timers timers;
+  Hierarchy grid;
+  RootSolver root;
+};
+
+/// Largest velocity of `one` (one box on every rank), and largest difference of `many` from it.
+void compare(const Run& one, const Run& many, double& speed, double& difference)
+{
+  const Level& level = many.grid.finest();
+  speed = difference = 0;
+  for (int p = 0; p < level.local_count(); ++p)
+    for (int c = 0; c < 3; ++c)
+      for_each_index(faces_of(level.local_box(p), c), [&](int i, int j, int k) {
+        const double expected = one.root.fluid().u()(0, c)(i, j, k);
+        speed = std::max(speed, std::abs(expected));
+        difference = std::max(difference, std::abs(many.root.fluid().u()(p, c)(i, j, k) - expected));
+      });
+  double both[2] = {speed, difference};
+  MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  speed = both[0];
+  difference = both[1];
+}
+
+void expect_the_same(int boxes, StructureScheme scheme)
+{
+  const Run one(MPI_COMM_SELF, 1, scheme), many(MPI_COMM_WORLD, boxes, scheme);
+  double speed = 0, difference = 0;
+  compare(one, many, speed, difference);
+  EXPECT_GT(speed, 0.1);
+  EXPECT_LT(difference / speed, 1e-9) << boxes << " boxes";
+  const std::vector<Vec3> a = one.root.nodes().gather(one.root.X()),
+                          b = many.root.nodes().gather(many.root.X());
+  double apart = 0;
+  for (std::size_t n = 0; n < a.size(); ++n) apart = std::max(apart, norm(a[n] - b[n]));
+  EXPECT_LT(apart, 1e-11 * speed);
+}
+
+TEST(RootSolver, LeapfrogDoesNotNoticeTheBoxes)
+{
+  expect_the_same(0, StructureScheme::leapfrog);
+  expect_the_same(8, StructureScheme::leapfrog);
+}
+
+TEST(RootSolver, MidpointDoesNotNoticeTheBoxes)
+{
+  expect_the_same(0, StructureScheme::midpoint);
+  expect_the_same(6, StructureScheme::midpoint);
+}
+
+}  // namespace
+}  // namespace valsalva::ib3d
