@@ -48,9 +48,10 @@ std::string describe_coupling(const CaseFile& c, CaseModel& m)
       if (e.text("type") != "windkessel3" || e.text("node") != spec.ports[port]) continue;
       const double C = e.real("C_ml_mmHg"), R = e.real("Rc_mmHg_s_ml");
       const double limit = C * (-R + std::sqrt(R * R + 4 * L / C));
-      text += fmt::format("coupling   {}: inertance {:.4g} mmHg s^2/ml; explicit coupling would need dt < dt* = {:.3g} s "
-                          "(longest step/dt* = {:.2g})\n",
-                          e.text("name"), L, limit, c.section("time").real("dt_max_s") / limit);
+      text += fmt::format(
+          "coupling   {}: inertance {:.4g} mmHg s^2/ml; explicit coupling would need dt < dt* = {:.3g} s "
+          "(longest step/dt* = {:.2g})\n",
+          e.text("name"), L, limit, c.section("time").real("dt_max_s") / limit);
     }
   }
   return text;

@@ -43,8 +43,8 @@ Traces::Traces(const std::string& folder, const CaseFile& c, CaseModel& model, c
 
   if (comm.is_root()) {
     steps_.emplace(folder + "/step.csv",
-                   std::vector<std::string>{"step", "t_s", "dt_s", "cfl", "iterations",
-                                            "rms_divergence_1_s", "max_divergence_1_s", "wall_s", "dt_bound"});
+                   std::vector<std::string>{"step", "t_s", "dt_s", "cfl", "iterations", "rms_divergence_1_s",
+                                            "max_divergence_1_s", "wall_s", "dt_bound"});
     std::vector<std::string> names{"t_s"};
     for (const ib3d::Opening& o : model.root().fluid().openings()) names.push_back("p_" + o.port + "_mmHg");
     for (const ib3d::Opening& o : model.root().fluid().openings()) names.push_back("Q_" + o.name + "_ml_s");
@@ -110,7 +110,8 @@ void Traces::write_row(const StepReport& step, double wall_s)
   row.insert(row.end(), y.begin(), y.end());
   openings_->add(row);
   probes_->add(probes);
-  steps_->add({static_cast<double>(step.step), now.t_s, step.dt_s, step.cfl, static_cast<double>(step.iterations), step.divergence_rms, step.divergence_max, wall_s},
+  steps_->add({static_cast<double>(step.step), now.t_s, step.dt_s, step.cfl,
+               static_cast<double>(step.iterations), step.divergence_rms, step.divergence_max, wall_s},
               ib3d::limit_name(step.limited_by));
 }
 

@@ -104,8 +104,8 @@ KrylovReport FlexibleCg::solve(CellField<double>& r, CellField<double>& p, doubl
 
     std::array<double, 2> curvature{};  // <d, A d>, <d, r>
     for_each_local_row(level, [&](int q, int i, int j, int k, int n) {
-      const TwoSums s = apply_row(a_direction_[q].at(i, j, k), direction_[q].at(i, j, k), r[q].at(i, j, k), 1 / h2,
-                                  direction_[q].stride(1), direction_[q].stride(2), n);
+      const TwoSums s = apply_row(a_direction_[q].at(i, j, k), direction_[q].at(i, j, k), r[q].at(i, j, k),
+                                  1 / h2, direction_[q].stride(1), direction_[q].stride(2), n);
       curvature[0] += s.first;
       curvature[1] += s.second;
     });
@@ -114,8 +114,8 @@ KrylovReport FlexibleCg::solve(CellField<double>& r, CellField<double>& p, doubl
 
     double square = 0;
     for_each_local_row(level, [&](int q, int i, int j, int k, int n) {
-      square += update_row(p[q].at(i, j, k), r[q].at(i, j, k), direction_[q].at(i, j, k), a_direction_[q].at(i, j, k),
-                           alpha, n);
+      square += update_row(p[q].at(i, j, k), r[q].at(i, j, k), direction_[q].at(i, j, k),
+                           a_direction_[q].at(i, j, k), alpha, n);
     });
     rms = std::sqrt(sum_over_ranks<1>(level, {square})[0] / cells);
     ++report.iterations;

@@ -19,8 +19,8 @@ void advance_momentum(const Level& level, const FluidParameters& fluid, const Ma
       const std::ptrdiff_t sy = u(p, c).stride(1), sz = u(p, c).stride(2);
       for_each_convected_row({&u(p, 0), &u(p, 1), &u(p, 2)}, c, box, [&](int j, int k, const double* div) {
         const int i = box.lo[0];
-        momentum_row(u_star(p, c).at(i, j, k), rate(p, c).at(i, j, k), u(p, c).at(i, j, k), div, f(p, c).at(i, j, k),
-                     convection, diffusion, now, before, force, sy, sz, box.size(0));
+        momentum_row(u_star(p, c).at(i, j, k), rate(p, c).at(i, j, k), u(p, c).at(i, j, k), div,
+                     f(p, c).at(i, j, k), convection, diffusion, now, before, force, sy, sz, box.size(0));
       });
     }
 }

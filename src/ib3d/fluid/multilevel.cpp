@@ -24,12 +24,13 @@ struct Plane {
 /// t = rhs - (6 e - neighbours).
 inline void residual(float* __restrict t, const float* __restrict rhs, const float* __restrict e, Plane plane)
 {
-  for (std::ptrdiff_t i = 0; i < plane.length; ++i) t[i] = rhs[i] - 6 * e[i] + neighbours(e, i, plane.sy, plane.sz);
+  for (std::ptrdiff_t i = 0; i < plane.length; ++i)
+    t[i] = rhs[i] - 6 * e[i] + neighbours(e, i, plane.sy, plane.sz);
 }
 
 /// Increment of the relaxation on one colour; in two passes, since updating in place stalls on its own stores.
-inline void relax(float* __restrict e, float* __restrict t, const float* __restrict rhs, const float* __restrict w,
-                  const float* __restrict mask, Plane plane)
+inline void relax(float* __restrict e, float* __restrict t, const float* __restrict rhs,
+                  const float* __restrict w, const float* __restrict mask, Plane plane)
 {
   for (std::ptrdiff_t i = 0; i < plane.length; ++i)
     t[i] = mask[i] * w[i] * (rhs[i] - 6 * e[i] + neighbours(e, i, plane.sy, plane.sz));
@@ -52,8 +53,8 @@ inline void sum_pairs(float* __restrict out, const float* __restrict a, const fl
 }
 
 /// rhs of the coarser level = h_c^2 x mean of the residual over the eight fine cells (h^2 scaling: 4 x mean).
-void restrict_residual(const Level& coarse, const Level& fine, const CellField<float>& rhs, const CellField<float>& e,
-                       CellField<float>& coarse_rhs)
+void restrict_residual(const Level& coarse, const Level& fine, const CellField<float>& rhs,
+                       const CellField<float>& e, CellField<float>& coarse_rhs)
 {
   std::vector<float> low, high;
   for (int p = 0; p < coarse.local_count(); ++p) {
@@ -67,15 +68,16 @@ void restrict_residual(const Level& coarse, const Level& fine, const CellField<f
       residual(high.data(), rhs[p].at(i, j0, 2 * k + 1), e[p].at(i, j0, 2 * k + 1), plane);
       for (int j = box.lo[1]; j < box.hi[1]; ++j) {
         const std::ptrdiff_t row = (2 * j - j0) * plane.sy;
-        sum_pairs(coarse_rhs[p].at(box.lo[0], j, k), low.data() + row, low.data() + row + plane.sy, high.data() + row,
-                  high.data() + row + plane.sy, box.size(0));
+        sum_pairs(coarse_rhs[p].at(box.lo[0], j, k), low.data() + row, low.data() + row + plane.sy,
+                  high.data() + row, high.data() + row + plane.sy, box.size(0));
       }
     }
   }
 }
 
 /// mixed = the coarse values at the height and depth of a fine row: own row with 3/4, the nearer neighbours with 1/4.
-inline void mix_row(float* __restrict mixed, const float* __restrict c, std::ptrdiff_t to_y, std::ptrdiff_t to_z, int n)
+inline void mix_row(float* __restrict mixed, const float* __restrict c, std::ptrdiff_t to_y,
+                    std::ptrdiff_t to_z, int n)
 {
   for (int i = 0; i < n; ++i)
     mixed[i] = 0.5625f * c[i] + 0.1875f * (c[i + to_y] + c[i + to_z]) + 0.0625f * c[i + to_y + to_z];
@@ -161,7 +163,8 @@ void Multilevel::smooth(MgLevel& m, CellField<float>& e, bool from_zero)
         if (from_zero && colour == 0)
           relax_zero(e[p].at(i, j, k), m.rhs[p].at(i, j, k), m.relaxation[p].at(i, j, k), mask, plane);
         else
-          relax(e[p].at(i, j, k), increment_.data(), m.rhs[p].at(i, j, k), m.relaxation[p].at(i, j, k), mask, plane);
+          relax(e[p].at(i, j, k), increment_.data(), m.rhs[p].at(i, j, k), m.relaxation[p].at(i, j, k), mask,
+                plane);
       }
     }
     m.grid.fill_ghosts(e);

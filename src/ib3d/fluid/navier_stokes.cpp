@@ -108,7 +108,8 @@ void NavierStokes::pressure_residual()
     for_each_row(box, [&](int j, int k) {
       const int i = box.lo[0];
       pressure_residual_row(residual_[p].at(i, j, k), p_[p].at(i, j, k), u_new_(p, 0).at(i, j, k),
-                            u_new_(p, 1).at(i, j, k), u_new_(p, 2).at(i, j, k), 1 / h2, source, sy, sz, fy, fz, box.size(0));
+                            u_new_(p, 1).at(i, j, k), u_new_(p, 2).at(i, j, k), 1 / h2, source, sy, sz, fy,
+                            fz, box.size(0));
     });
   }
 }

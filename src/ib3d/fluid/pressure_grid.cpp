@@ -39,13 +39,15 @@ void fill_side(const Level& level, const SidePlane<float>& reflection, Array3<T>
   at[static_cast<std::size_t>(reflection.t1)] = reflection.lo1;
   for (int b = reflection.lo2; b < reflection.lo2 + reflection.n2; ++b) {
     at[static_cast<std::size_t>(reflection.t2)] = b;
-    fill_line(p.at(at[0], at[1], at[2]), &reflection.value[static_cast<std::size_t>((b - reflection.lo2) * reflection.n1)],
-              inward, p.stride(reflection.t1), reflection.n1);
+    fill_line(p.at(at[0], at[1], at[2]),
+              &reflection.value[static_cast<std::size_t>((b - reflection.lo2) * reflection.n1)], inward,
+              p.stride(reflection.t1), reflection.n1);
   }
 }
 
 /// Adds 2 theta p_b on the cells' ghosts of one side.
-void add_prescribed(const Level& level, const SidePlane<float>& theta, const SidePlane<double>& p_b, Array3<double>& p)
+void add_prescribed(const Level& level, const SidePlane<float>& theta, const SidePlane<double>& p_b,
+                    Array3<double>& p)
 {
   const auto dd = static_cast<std::size_t>(side_direction(theta.side));
   Int3 at{};
@@ -127,7 +129,8 @@ void PressureGrid::fill_ghosts(CellField<T>& p) const
 {
   halo_[0].fill(p);
   for (int patch = 0; patch < p.patch_count(); ++patch)
-    for (const SidePlane<float>& r : reflections_[static_cast<std::size_t>(patch)]) fill_side(level_, r, p[patch]);
+    for (const SidePlane<float>& r : reflections_[static_cast<std::size_t>(patch)])
+      fill_side(level_, r, p[patch]);
 }
 template void PressureGrid::fill_ghosts(CellField<double>&) const;
 template void PressureGrid::fill_ghosts(CellField<float>&) const;

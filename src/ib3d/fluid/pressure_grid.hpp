@@ -40,7 +40,8 @@ class PressureGrid {
  private:
   PressureGrid() = default;
   Level level_;
-  std::vector<std::vector<SidePlane<float>>> shares_, reflections_;  ///< theta; 1 - 2 theta with a ring of ghosts
+  std::vector<std::vector<SidePlane<float>>> shares_,
+      reflections_;  ///< theta; 1 - 2 theta with a ring of ghosts
   bool singular_ = false;
   std::vector<Halo> halo_;  ///< exactly one; a vector so that the grid can be built in two steps
 };

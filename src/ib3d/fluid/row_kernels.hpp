@@ -16,8 +16,9 @@ inline T neighbours(const T* c, std::ptrdiff_t i, std::ptrdiff_t sy, std::ptrdif
 
 /// out = q + now G + before g + force f,  G = convection div + diffusion (neighbours - 6 q); then g = G.
 inline void momentum_row(double* __restrict out, double* __restrict g, const double* __restrict q,
-                         const double* __restrict div, const double* __restrict f, double convection, double diffusion,
-                         double now, double before, double force, std::ptrdiff_t sy, std::ptrdiff_t sz, int n)
+                         const double* __restrict div, const double* __restrict f, double convection,
+                         double diffusion, double now, double before, double force, std::ptrdiff_t sy,
+                         std::ptrdiff_t sz, int n)
 {
   for (int i = 0; i < n; ++i) {
     const double rate = convection * div[i] + diffusion * (neighbours(q, i, sy, sz) - 6 * q[i]);
@@ -27,9 +28,10 @@ inline void momentum_row(double* __restrict out, double* __restrict g, const dou
 }
 
 /// r = lap (neighbours - 6 c) - source (x[i+1] - x[i] + y[i+sy] - y[i] + z[i+sz] - z[i]), for faces with strides fy, fz.
-inline void pressure_residual_row(double* __restrict r, const double* __restrict c, const double* __restrict x,
-                                  const double* __restrict y, const double* __restrict z, double lap, double source,
-                                  std::ptrdiff_t sy, std::ptrdiff_t sz, std::ptrdiff_t fy, std::ptrdiff_t fz, int n)
+inline void pressure_residual_row(double* __restrict r, const double* __restrict c,
+                                  const double* __restrict x, const double* __restrict y,
+                                  const double* __restrict z, double lap, double source, std::ptrdiff_t sy,
+                                  std::ptrdiff_t sz, std::ptrdiff_t fy, std::ptrdiff_t fz, int n)
 {
   for (int i = 0; i < n; ++i) {
     const double div = (x[i + 1] - x[i]) + (y[i + fy] - y[i]) + (z[i + fz] - z[i]);
@@ -38,7 +40,8 @@ inline void pressure_residual_row(double* __restrict r, const double* __restrict
 }
 
 /// u -= factor (p[i] - p[i - s]).
-inline void correct_row(double* __restrict u, const double* __restrict p, double factor, std::ptrdiff_t s, int n)
+inline void correct_row(double* __restrict u, const double* __restrict p, double factor, std::ptrdiff_t s,
+                        int n)
 {
   for (int i = 0; i < n; ++i) u[i] -= factor * (p[i] - p[i - s]);
 }
@@ -73,14 +76,15 @@ inline TwoSums two_products_row(const float* z, const double* r, const double* y
 }
 
 /// ad = scale (6 d - neighbours); sums of d ad and d r.
-inline TwoSums apply_row(double* __restrict ad, const float* __restrict d, const double* __restrict r, double scale,
-                         std::ptrdiff_t sy, std::ptrdiff_t sz, int n)
+inline TwoSums apply_row(double* __restrict ad, const float* __restrict d, const double* __restrict r,
+                         double scale, std::ptrdiff_t sy, std::ptrdiff_t sz, int n)
 {
   double dad = 0, dr = 0;
 #pragma omp simd reduction(+ : dad, dr)
   for (int i = 0; i < n; ++i) {
     const double c = d[i];
-    const double sum = (double{d[i - 1]} + d[i + 1]) + (double{d[i - sy]} + d[i + sy]) + (double{d[i - sz]} + d[i + sz]);
+    const double sum =
+        (double{d[i - 1]} + d[i + 1]) + (double{d[i - sy]} + d[i + sy]) + (double{d[i - sz]} + d[i + sz]);
     const double y = scale * (6 * c - sum);
     ad[i] = y;
     dad += c * y;

@@ -13,7 +13,10 @@ namespace valsalva::ib3d {
 inline constexpr int kDeltaWidth = 4;
 
 /// The square root in phi for a point at fraction r in [0, 1) above a lattice point.
-inline double delta_root(double r) { return std::sqrt(1 + 4 * r - 4 * r * r); }
+inline double delta_root(double r)
+{
+  return std::sqrt(1 + 4 * r - 4 * r * r);
+}
 
 /// The four weights on a lattice with unit spacing for a point at fraction r in [0, 1) above lattice point 0:
 /// w[m] belongs to lattice point m - 1.

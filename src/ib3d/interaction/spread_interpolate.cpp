@@ -15,14 +15,20 @@ using FourInMemory = double __attribute__((vector_size(32), aligned(8), may_alia
 constexpr int kLattices = 6, kLanes = 8;
 
 struct Support {
-  int start[kLanes];        ///< lowest of the four lattice points
-  Four weight[kLattices];   ///< of the four points
+  int start[kLanes];       ///< lowest of the four lattice points
+  Four weight[kLattices];  ///< of the four points
 };
 
 inline void find_support(const Vec3& X, double inverse_h, Support& s)
 {
-  const double at[kLanes] = {X[0] * inverse_h,       X[1] * inverse_h,       X[2] * inverse_h, X[0] * inverse_h - 0.5,
-                             X[1] * inverse_h - 0.5, X[2] * inverse_h - 0.5, 0.0,              0.0};
+  const double at[kLanes] = {X[0] * inverse_h,
+                             X[1] * inverse_h,
+                             X[2] * inverse_h,
+                             X[0] * inverse_h - 0.5,
+                             X[1] * inverse_h - 0.5,
+                             X[2] * inverse_h - 0.5,
+                             0.0,
+                             0.0};
   double r[kLanes], root[kLanes];
   for (int l = 0; l < kLanes; ++l) {
     const double below = std::floor(at[l]);
@@ -36,7 +42,10 @@ inline void find_support(const Vec3& X, double inverse_h, Support& s)
 }
 
 /// The lattice of direction d for component c.
-constexpr int lattice_of(int c, int d) { return c == d ? d : 3 + d; }
+constexpr int lattice_of(int c, int d)
+{
+  return c == d ? d : 3 + d;
+}
 
 /// Weights of component c along x, and the products of those along y and z, row j + 4 k.
 struct RowWeights {
@@ -54,13 +63,15 @@ inline RowWeights row_weights(const Support& s, int c)
 }
 
 template <class T>
-inline T* corner_of(const Support& s, int c, T* origin, const IndexBox& stored, std::ptrdiff_t sy, std::ptrdiff_t sz)
+inline T* corner_of(const Support& s, int c, T* origin, const IndexBox& stored, std::ptrdiff_t sy,
+                    std::ptrdiff_t sz)
 {
-  return origin + (s.start[lattice_of(c, 0)] - stored.lo[0]) + (s.start[lattice_of(c, 1)] - stored.lo[1]) * sy +
-         (s.start[lattice_of(c, 2)] - stored.lo[2]) * sz;
+  return origin + (s.start[lattice_of(c, 0)] - stored.lo[0]) +
+         (s.start[lattice_of(c, 1)] - stored.lo[1]) * sy + (s.start[lattice_of(c, 2)] - stored.lo[2]) * sz;
 }
 
-inline void add_to_rows(double* corner, std::ptrdiff_t sy, std::ptrdiff_t sz, const RowWeights& w, double force)
+inline void add_to_rows(double* corner, std::ptrdiff_t sy, std::ptrdiff_t sz, const RowWeights& w,
+                        double force)
 {
   const Four x = force * w.x;
   for (int k = 0; k < kDeltaWidth; ++k, corner += sz) {
@@ -86,6 +97,44 @@ inline double sum_of_rows(const double* corner, std::ptrdiff_t sy, std::ptrdiff_
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
+/// Whether the four points of a lattice reach beyond a side of the domain that is not periodic.
+inline bool reaches_outside(const Support& s, const Level& level)
+{
+  for (int d = 0; d < 3; ++d) {
+    const auto dd = static_cast<std::size_t>(d);
+    if (level.domain.periodic(d)) continue;
+    if (s.start[d] < level.box.lo[dd] || s.start[d] + 3 > level.box.hi[dd] ||
+        s.start[3 + d] < level.box.lo[dd] || s.start[3 + d] + 4 > level.box.hi[dd])
+      return true;
+  }
+  return false;
+}
+
+/// Calls point(i, j, k, weight) for the 64 points of component c, those outside the domain mirrored about its sides.
+template <class Point>
+void for_each_mirrored_point(const Support& s, int c, const Level& level, Point&& point)
+{
+  int index[3][kDeltaWidth];
+  for (int d = 0; d < 3; ++d) {
+    const auto dd = static_cast<std::size_t>(d);
+    const int centred =
+        c == d ? 0 : 1;  // the mirror image of a face is 2 L - i, of a cell centre 2 L - 1 - i
+    for (int m = 0; m < kDeltaWidth; ++m) {
+      int i = s.start[lattice_of(c, d)] + m;
+      if (!level.domain.periodic(d)) {
+        if (i < level.box.lo[dd]) i = 2 * level.box.lo[dd] - centred - i;
+        if (i > level.box.hi[dd] - centred) i = 2 * level.box.hi[dd] - centred - i;
+      }
+      index[d][m] = i;
+    }
+  }
+  const Four &x = s.weight[lattice_of(c, 0)], &y = s.weight[lattice_of(c, 1)],
+             &z = s.weight[lattice_of(c, 2)];
+  for (int k = 0; k < kDeltaWidth; ++k)
+    for (int j = 0; j < kDeltaWidth; ++j)
+      for (int i = 0; i < kDeltaWidth; ++i) point(index[0][i], index[1][j], index[2][k], x[i] * y[j] * z[k]);
+}
+
 }  // namespace
 
 void Interaction::spread(std::span<const int> first, std::span<const Vec3> X, std::span<const Vec3> F,
@@ -101,11 +150,18 @@ void Interaction::spread(std::span<const int> first, std::span<const Vec3> X, st
       const auto node = static_cast<std::size_t>(n);
       Support s;
       find_support(X[node], inverse_h, s);
+      if (reaches_outside(s, level_)) {
+        for (int c = 0; c < 3; ++c)
+          for_each_mirrored_point(s, c, level_, [&](int i, int j, int k, double weight) {
+            f(p, c)(i, j, k) += weight * F[node][c] * inverse_volume;
+          });
+        continue;
+      }
       for (int c = 0; c < 3; ++c)
-        add_to_rows(corner_of(s, c, origin[c], stored, sy, sz), sy, sz, row_weights(s, c), F[node][c] * inverse_volume);
+        add_to_rows(corner_of(s, c, origin[c], stored, sy, sz), sy, sz, row_weights(s, c),
+                    F[node][c] * inverse_volume);
     }
   }
-  fold_mirrored(level_, f);
   faces_.accumulate(f);
 }
 
@@ -121,6 +177,15 @@ void Interaction::interpolate(std::span<const int> first, std::span<const Vec3> 
       const auto node = static_cast<std::size_t>(n);
       Support s;
       find_support(X[node], inverse_h, s);
+      if (reaches_outside(s, level_)) {
+        for (int c = 0; c < 3; ++c) {
+          U[node][c] = 0;
+          for_each_mirrored_point(s, c, level_, [&](int i, int j, int k, double weight) {
+            U[node][c] += weight * u(p, c)(i, j, k);
+          });
+        }
+        continue;
+      }
       for (int c = 0; c < 3; ++c)
         U[node][c] = sum_of_rows(corner_of(s, c, origin[c], stored, sy, sz), sy, sz, row_weights(s, c));
     }
