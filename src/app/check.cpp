@@ -12,8 +12,8 @@ namespace valsalva::app {
 void add_check(CLI::App& app, Chosen& chosen)
 {
   auto arguments = std::make_shared<CaseArguments>();
-  CLI::App* command =
-      app.add_subcommand("check", "Validate a case and print what it will cost, from a few trial steps; writes nothing");
+  CLI::App* command = app.add_subcommand(
+      "check", "Validate a case and print what it will cost, from a few trial steps; writes nothing");
   add_case_arguments(*command, *arguments);
   command->callback([arguments, &chosen] {
     chosen.action = [arguments](const Communicator& comm) {

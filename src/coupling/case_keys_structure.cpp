@@ -41,7 +41,7 @@ KeySection leaflets_section()
            .above(0)
            .or_else(1e6),
        real("radial_stiffness_dyn_cm", "dyn/cm", "Stiffness of the columns").at_least(0).or_else(1.5e5),
-       real("bending_rows_dyn_cm", "dyn cm", "Bending rigidity along the rows").at_least(0).or_else(20.0),
+       real("bending_rows_dyn_cm", "dyn cm", "Bending rigidity along the rows").at_least(0).or_else(100.0),
        real("bending_columns_dyn_cm", "dyn cm", "Bending rigidity along the columns")
            .at_least(0)
            .or_else(200.0),

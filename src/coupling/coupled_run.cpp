@@ -17,17 +17,40 @@ namespace valsalva::coupling {
 
 namespace {
 
-std::string progress_text(const StepReport& s, const Traces& traces, double ms_per_step,
-                          const std::string& eta)
-{
-  const BeatSample& now = traces.latest();
-  return fmt::format(
-      "step {:>6}  t {:.4f} s (beat {})  dt {:.1e} ({})  CFL {:.2f}  p_lv {:.1f} p_ao {:.1f} mmHg  Q {:.0f} "
-      "ml/s  {:.0f} "
-      "ms/step  ETA {}",
-      s.step, s.t_s, traces.beat(), s.dt_s, ib3d::limit_name(s.limited_by), s.cfl, now.p_ventricle_mmHg,
-      now.p_aorta_mmHg, now.flow_ml_s, ms_per_step, eta);
-}
+/// Tells where the run is: a line every few seconds, and a live bar in between where the output is a terminal.
+class ProgressLines {
+ public:
+  ProgressLines(Log& log, double end_s, double every_s, double wall_s)
+      : log_(log), end_s_(end_s), every_s_(every_s), begun_(wall_s), told_(wall_s), shown_(wall_s)
+  {
+  }
+
+  void tell(const StepReport& s, const Traces& traces, double wall_s)
+  {
+    const double done = s.t_s / end_s_;
+    const std::string eta = common::eta_text(done, wall_s - begun_);
+    if (wall_s - told_ > every_s_) {
+      const BeatSample& now = traces.latest();
+      log_.line(fmt::format(
+          "step {:>6}  t {:.4f} s (beat {})  dt {:.1e} ({})  CFL {:.2f}  p_lv {:.1f} p_ao {:.1f} mmHg  "
+          "Q {:.0f} ml/s  {:.0f} ms/step  ETA {}",
+          s.step, s.t_s, traces.beat(), s.dt_s, ib3d::limit_name(s.limited_by), s.cfl, now.p_ventricle_mmHg,
+          now.p_aorta_mmHg, now.flow_ml_s, 1e3 * (wall_s - told_) / static_cast<double>(s.step - told_step_),
+          eta));
+      told_ = wall_s;
+      told_step_ = s.step;
+    } else if (wall_s - shown_ > 0.2) {
+      log_.live(
+          fmt::format("{} t {:.4f} of {:g} s  ETA {}", common::progress_bar(done, 40), s.t_s, end_s_, eta));
+      shown_ = wall_s;
+    }
+  }
+
+ private:
+  Log& log_;
+  double end_s_, every_s_, begun_, told_, shown_;
+  long told_step_ = 0;
+};
 
 /// Adds to a numerical failure where it happened and what is safe.
 [[noreturn]] void fail_at(const CoupledModel& model, const std::string& folder, const SolverError& error)
@@ -50,7 +73,7 @@ std::string describe_coupling(const CaseFile& c, CaseModel& m)
       const double limit = C * (-R + std::sqrt(R * R + 4 * L / C));
       text += fmt::format(
           "coupling   {}: inertance {:.4g} mmHg s^2/ml; explicit coupling would need dt < dt* = {:.3g} s "
-          "(longest step/dt* = {:.2g})\n",
+          "(longest dt/dt* = {:.2g})\n",
           e.text("name"), L, limit, c.section("time").real("dt_max_s") / limit);
     }
   }
@@ -98,7 +121,6 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
   log.line(describe_model(c, model));
 
   const double end = c.section("time").real("end_s");
-  const double progress_every = c.section("output").real("progress_every_s");
   Traces traces(options.out_dir, c, model, comm);
   Snapshots snapshots(options.out_dir, c, model, comm);
   CoupledModel& coupled = model.model();
@@ -110,10 +132,15 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
                    model.grid().finest().cell_count(),
                    model.structure().network.node_count()};
   write_run_record(options.out_dir, record, comm);
+  const auto close_record = [&](const std::string& outcome) {
+    record.outcome = outcome;
+    record.t_s = coupled.t();
+    record.steps = coupled.step();
+    record.wall_s = timers.wall();
+    write_run_record(options.out_dir, record, comm);
+  };
 
-  const double begun = timers.wall();
-  double told = begun;
-  long told_step = 0;
+  ProgressLines progress(log, end, c.section("output").real("progress_every_s"), timers.wall());
   bool stopped = false;
   try {
     snapshots.write_due();
@@ -126,30 +153,16 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
         if (const auto beat = traces.record(step, timers.wall() - step_begun)) log.line(beat_text(*beat));
         snapshots.write_due();
       }
-      const double now = timers.wall();
-      if (now - told > progress_every) {
-        const double ms = 1e3 * (now - told) / static_cast<double>(step.step - told_step);
-        log.line(progress_text(step, traces, ms, common::eta_text(coupled.t() / end, now - begun)));
-        told = now;
-        told_step = step.step;
-      }
+      progress.tell(step, traces, timers.wall());
       stopped = comm.any(common::stop_requested());
     }
   } catch (const SolverError& error) {
     traces.flush();
-    record.outcome = "failed";
-    record.t_s = coupled.t();
-    record.steps = coupled.step();
-    record.wall_s = timers.wall();
-    write_run_record(options.out_dir, record, comm);
+    close_record("failed");
     fail_at(coupled, options.out_dir, error);
   }
   if (const auto beat = traces.finish()) log.line(beat_text(*beat));
-  record.outcome = stopped ? "stopped by a signal" : "finished";
-  record.t_s = coupled.t();
-  record.steps = coupled.step();
-  record.wall_s = timers.wall();
-  write_run_record(options.out_dir, record, comm);
+  close_record(stopped ? "stopped by a signal" : "finished");
   log.line(timers.table());
   if (stopped)
     log.line(

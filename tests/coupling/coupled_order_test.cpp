@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "coupling/tube_model.hpp"
-#include "ib3d/grid/mpi_environment.hpp"
 
 namespace valsalva::coupling {
 namespace {
@@ -72,13 +71,13 @@ double growth_per_step(CouplingScheme scheme, const TubeLoad& load, double dt, i
 }
 
 /// Largest modulus of the eigenvalues of one explicit step (pressures from t^n, the Windkessel then advanced
-/// exactly with a flow linear in time): Q' = Q - (dt/L)(Pc + Rc Q), Pc' = e Pc + Rp [(1 - e - g) Q + g Q'].
+/// exactly with the new flow): Q' = Q - (dt/L)(Pc + Rc Q), Pc' = e Pc + Rp (1 - e) Q'.
 double explicit_amplification(const TubeLoad& load, double dt)
 {
-  const double tau = load.Rp * load.C, e = std::exp(-dt / tau), g = 1 - (1 - e) * tau / dt;
+  const double e = std::exp(-dt / (load.Rp * load.C));
   Eigen::Matrix2d step;
   step.row(0) << 1 - dt * load.Rc / kTubeInertance, -dt / kTubeInertance;
-  step.row(1) = load.Rp * g * step.row(0) + Eigen::RowVector2d(load.Rp * (1 - e - g), e);
+  step.row(1) = load.Rp * (1 - e) * step.row(0) + Eigen::RowVector2d(0, e);
   return step.eigenvalues().cwiseAbs().maxCoeff();
 }
 

@@ -1,6 +1,7 @@
 #include "ib3d/fluid/momentum.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "ib3d/fluid/advection.hpp"
 #include "ib3d/fluid/row_kernels.hpp"
@@ -40,15 +41,17 @@ double courant_rate(const Level& level, const MacField& u)
       const double* a = u(p, 0).at(box.lo[0], j, k);
       const double* b = u(p, 1).at(box.lo[0], j, k);
       const double* c = u(p, 2).at(box.lo[0], j, k);
-      double row = 0;
-#pragma omp simd reduction(max : row)
+      double row = 0, total = 0;
+#pragma omp simd reduction(max : row) reduction(+ : total)
       for (int i = 0; i < box.size(0); ++i) {
         const double x = std::max(std::abs(a[i]), std::abs(a[i + 1]));
         const double y = std::max(std::abs(b[i]), std::abs(b[i + sy]));
         const double z = std::max(std::abs(c[i]), std::abs(c[i + sz]));
         row = std::max(row, x + y + z);
+        total += x + y + z;
       }
-      largest = std::max(largest, row);
+      // A maximum passes over what is not a number; the sum does not.
+      largest = std::isfinite(total) ? std::max(largest, row) : std::numeric_limits<double>::infinity();
     });
   }
   return largest / level.h;

@@ -1,5 +1,7 @@
 #include "ib3d/interaction/spread_interpolate.hpp"
 
+#include <limits>
+
 #include "ib3d/grid/mirror.hpp"
 #include "ib3d/interaction/delta.hpp"
 
@@ -97,18 +99,24 @@ inline double sum_of_rows(const double* corner, std::ptrdiff_t sy, std::ptrdiff_
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
-/// Whether the four points of a lattice reach beyond a side of the domain that is not periodic.
-inline bool reaches_outside(const Support& s, const Level& level)
-{
-  for (int d = 0; d < 3; ++d) {
-    const auto dd = static_cast<std::size_t>(d);
-    if (level.domain.periodic(d)) continue;
-    if (s.start[d] < level.box.lo[dd] || s.start[d] + 3 > level.box.hi[dd] ||
-        s.start[3 + d] < level.box.lo[dd] || s.start[3 + d] + 4 > level.box.hi[dd])
-      return true;
+/// The range of nodes whose support lies inside the domain in every direction (cm).
+struct Inside {
+  double lo[3], hi[3];
+  explicit Inside(const Level& level)
+  {
+    for (int d = 0; d < 3; ++d) {
+      const double far = level.domain.periodic(d) ? std::numeric_limits<double>::infinity() : 0.0;
+      lo[d] = (level.box.lo[static_cast<std::size_t>(d)] + 1.5) * level.h - far;
+      hi[d] = (level.box.hi[static_cast<std::size_t>(d)] - 1.5) * level.h + far;
+    }
   }
-  return false;
-}
+  bool holds(const Vec3& X) const
+  {
+    return static_cast<int>(X[0] >= lo[0]) & static_cast<int>(X[0] < hi[0]) &
+           static_cast<int>(X[1] >= lo[1]) & static_cast<int>(X[1] < hi[1]) &
+           static_cast<int>(X[2] >= lo[2]) & static_cast<int>(X[2] < hi[2]);
+  }
+};
 
 /// Calls point(i, j, k, weight) for the 64 points of component c, those outside the domain mirrored about its sides.
 template <class Point>
@@ -135,12 +143,33 @@ void for_each_mirrored_point(const Support& s, int c, const Level& level, Point&
       for (int i = 0; i < kDeltaWidth; ++i) point(index[0][i], index[1][j], index[2][k], x[i] * y[j] * z[k]);
 }
 
+// Nodes beside a side are few: kept out of line, so that the loops over the others stay tight.
+[[gnu::noinline]] void spread_mirrored(const Support& s, const Level& level, const Vec3& density, MacField& f,
+                                       int patch)
+{
+  for (int c = 0; c < 3; ++c)
+    for_each_mirrored_point(s, c, level, [&](int i, int j, int k, double weight) {
+      f(patch, c)(i, j, k) += weight * density[c];
+    });
+}
+
+[[gnu::noinline]] Vec3 interpolate_mirrored(const Support& s, const Level& level, const MacField& u,
+                                            int patch)
+{
+  Vec3 sum{0, 0, 0};
+  for (int c = 0; c < 3; ++c)
+    for_each_mirrored_point(
+        s, c, level, [&](int i, int j, int k, double weight) { sum[c] += weight * u(patch, c)(i, j, k); });
+  return sum;
+}
+
 }  // namespace
 
 void Interaction::spread(std::span<const int> first, std::span<const Vec3> X, std::span<const Vec3> F,
                          MacField& f) const
 {
   const double inverse_h = 1 / level_.h, inverse_volume = inverse_h * inverse_h * inverse_h;
+  const Inside inside(level_);
   f.set_zero();
   for (int p = 0; p < level_.local_count(); ++p) {
     const IndexBox stored = f(p, 0).stored();
@@ -150,11 +179,8 @@ void Interaction::spread(std::span<const int> first, std::span<const Vec3> X, st
       const auto node = static_cast<std::size_t>(n);
       Support s;
       find_support(X[node], inverse_h, s);
-      if (reaches_outside(s, level_)) {
-        for (int c = 0; c < 3; ++c)
-          for_each_mirrored_point(s, c, level_, [&](int i, int j, int k, double weight) {
-            f(p, c)(i, j, k) += weight * F[node][c] * inverse_volume;
-          });
+      if (!inside.holds(X[node])) {
+        spread_mirrored(s, level_, inverse_volume * F[node], f, p);
         continue;
       }
       for (int c = 0; c < 3; ++c)
@@ -169,6 +195,7 @@ void Interaction::interpolate(std::span<const int> first, std::span<const Vec3> 
                               std::span<Vec3> U) const
 {
   const double inverse_h = 1 / level_.h;
+  const Inside inside(level_);
   for (int p = 0; p < level_.local_count(); ++p) {
     const IndexBox stored = u(p, 0).stored();
     const std::ptrdiff_t sy = u(p, 0).stride(1), sz = u(p, 0).stride(2);
@@ -177,13 +204,8 @@ void Interaction::interpolate(std::span<const int> first, std::span<const Vec3> 
       const auto node = static_cast<std::size_t>(n);
       Support s;
       find_support(X[node], inverse_h, s);
-      if (reaches_outside(s, level_)) {
-        for (int c = 0; c < 3; ++c) {
-          U[node][c] = 0;
-          for_each_mirrored_point(s, c, level_, [&](int i, int j, int k, double weight) {
-            U[node][c] += weight * u(p, c)(i, j, k);
-          });
-        }
+      if (!inside.holds(X[node])) {
+        U[node] = interpolate_mirrored(s, level_, u, p);
         continue;
       }
       for (int c = 0; c < 3; ++c)

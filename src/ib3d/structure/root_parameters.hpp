@@ -24,7 +24,7 @@ struct RootDimensions {
 struct LeafletMaterial {
   double circumferential_stiffness = 1.0e6;  ///< tension-only family from commissure to commissure, dyn/cm
   double radial_stiffness = 1.5e5;           ///< two-sided family from attachment to free edge, dyn/cm
-  double circumferential_bending = 20.0;     ///< dyn cm
+  double circumferential_bending = 100.0;    ///< dyn cm
   double radial_bending = 200.0;             ///< dyn cm
   double circumferential_rest_ratio = 0.97;  ///< rest length over length on the tube, lower part
   double free_edge_rest_ratio = 1.06;        ///< the same at the free edge

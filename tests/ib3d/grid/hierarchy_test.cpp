@@ -7,7 +7,6 @@
 
 #include "common/error.hpp"
 #include "ib3d/fluid/tube.hpp"
-#include "ib3d/grid/mpi_environment.hpp"
 
 namespace valsalva::ib3d {
 namespace {
