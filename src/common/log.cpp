@@ -3,12 +3,26 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdlib>
+
 #include "common/error.hpp"
 
 namespace valsalva::common {
 
+namespace {
+
+/// mpirun hands rank 0 a terminal of its own even where its output goes to a file, so under mpirun only its caller
+/// knows: scripts/run sets VALSALVA_LIVE.
+bool output_is_a_terminal()
+{
+  if (isatty(STDOUT_FILENO) != 1) return false;
+  return std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr || std::getenv("VALSALVA_LIVE") != nullptr;
+}
+
+}  // namespace
+
 Log::Log(bool is_root, const std::string& file, bool continue_file)
-    : is_root_(is_root), is_terminal_(is_root && isatty(STDOUT_FILENO) == 1)
+    : is_root_(is_root), is_terminal_(is_root && output_is_a_terminal())
 {
   if (!is_root || file.empty()) return;
   file_.reset(std::fopen(file.c_str(), continue_file ? "a" : "w"));
