@@ -6,7 +6,7 @@ namespace valsalva::ib3d {
 
 namespace {
 
-constexpr int kStepsBetweenElasticSweeps = 20;
+constexpr int kStepsBetweenElasticSweeps = 30;
 
 }  // namespace
 

@@ -91,10 +91,10 @@ TEST(CoupledModel, ExplicitSchemeIsStableUpToItsLimitAndGrowsBeyond)
   // Small pressures, so that a growing flow does not end the run by its CFL number.
   const TubeLoad load{0.02, 5.0, 0.1, 1e-6};
   const double limit = explicit_limit(load);
-  for (const double factor : {0.6, 1.5}) {
+  for (const double factor : {0.6, 1.02}) {
     const double expected = explicit_amplification(load, factor * limit);
     EXPECT_EQ(expected > 1, factor > 1);
-    EXPECT_NEAR(growth_per_step(CouplingScheme::explicit_, load, factor * limit, 120), expected,
+    EXPECT_NEAR(growth_per_step(CouplingScheme::explicit_, load, factor * limit, 40), expected,
                 0.2 * std::abs(expected - 1));
   }
 }
