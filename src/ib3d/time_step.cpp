@@ -23,7 +23,7 @@ double ElasticBound::update(const NodeOwner& nodes, const Interaction& interacti
   stiff_.resize(X.size());
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     nodes.fill_copies(v_);
-    fiber_stiffness_times(part.network, X, v_, stiff_);
+    fiber_stiffness_times(part.network, X, v_, stiff_, SlackSprings::just_taut);
     interaction.spread(nodes.first(), X, stiff_, f_);
     interaction.fill_ghosts(f_);
     double sums[2] = {0, 0};

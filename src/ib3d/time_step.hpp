@@ -4,6 +4,7 @@
 //   S K at the
 //            present configuration (K = -dF/dX the structure's stiffness); found by power iteration,
 //            warm-started, and an upper bound since the projection, which can only lower it, is left out
+// Slack tension-only springs count as taut: valve leaflets go slack as they open and snap taut within a few steps.
 #pragma once
 
 #include <vector>

@@ -81,7 +81,7 @@ double fiber_energy(const FiberNetwork& network, std::span<const Vec3> X)
 }
 
 void fiber_stiffness_times(const FiberNetwork& network, std::span<const Vec3> X, std::span<const Vec3> v,
-                           std::span<Vec3> Kv)
+                           std::span<Vec3> Kv, SlackSprings slack)
 {
   std::fill(Kv.begin(), Kv.end(), Vec3{0.0, 0.0, 0.0});
   const Springs& springs = network.springs;
@@ -90,8 +90,9 @@ void fiber_stiffness_times(const FiberNetwork& network, std::span<const Vec3> X,
     const Vec3 r = X[b] - X[a];
     const double l = norm(r);
     const double stretch = l / springs.rest_length[n] - 1.0;
-    if (l == 0.0 || is_slack(springs, n, stretch)) continue;
-    const double across = springs.stiffness[n] * stretch / l;
+    const bool is_loose = is_slack(springs, n, stretch);
+    if (l == 0.0 || (is_loose && slack == SlackSprings::loose)) continue;
+    const double across = is_loose ? 0.0 : springs.stiffness[n] * stretch / l;
     const double along = springs.stiffness[n] / springs.rest_length[n];
     const Vec3 dv = v[b] - v[a];
     const Vec3 pull = ((along - across) * dot(r, dv) / (l * l)) * r + across * dv;

@@ -19,8 +19,12 @@ void fiber_force(const FiberNetwork& network, std::span<const Vec3> X, std::span
 /// Elastic energy at X, dyn cm.
 double fiber_energy(const FiberNetwork& network, std::span<const Vec3> X);
 
-/// Overwrites Kv with the exact action of the tangent stiffness at X on the displacement v.
+/// How slack tension-only springs count in the stiffness: not at all (the exact tangent), or as if just taut along
+/// their line (a bound on what the next instant can bring, for the stable step).
+enum class SlackSprings { loose, just_taut };
+
+/// Overwrites Kv with the action of the tangent stiffness at X on the displacement v.
 void fiber_stiffness_times(const FiberNetwork& network, std::span<const Vec3> X, std::span<const Vec3> v,
-                           std::span<Vec3> Kv);
+                           std::span<Vec3> Kv, SlackSprings slack = SlackSprings::loose);
 
 }  // namespace valsalva::ib3d
