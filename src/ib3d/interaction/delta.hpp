@@ -18,16 +18,17 @@ inline double delta_root(double r)
   return std::sqrt(1 + 4 * r - 4 * r * r);
 }
 
+/// Weight m of the four is kDeltaBase[m] + kDeltaSlope[m] r + kDeltaRoot[m] delta_root(r).
+inline constexpr double kDeltaBase[kDeltaWidth] = {0.375, 0.375, 0.125, 0.125};
+inline constexpr double kDeltaSlope[kDeltaWidth] = {-0.25, -0.25, 0.25, 0.25};
+inline constexpr double kDeltaRoot[kDeltaWidth] = {-0.125, 0.125, 0.125, -0.125};
+
 /// The four weights on a lattice with unit spacing for a point at fraction r in [0, 1) above lattice point 0:
 /// w[m] belongs to lattice point m - 1.
 inline void delta_weights(double r, double w[kDeltaWidth])
 {
-  const double root = delta_root(r);
-  const double left = 3 - 2 * r, right = 1 + 2 * r;
-  w[0] = 0.125 * (left - root);
-  w[1] = 0.125 * (left + root);
-  w[2] = 0.125 * (right + root);
-  w[3] = 0.125 * (right - root);
+  for (int m = 0; m < kDeltaWidth; ++m)
+    w[m] = kDeltaBase[m] + kDeltaSlope[m] * r + kDeltaRoot[m] * delta_root(r);
 }
 
 }  // namespace valsalva::ib3d

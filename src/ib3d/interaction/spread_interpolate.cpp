@@ -13,6 +13,11 @@ namespace {
 using Four = double __attribute__((vector_size(32)));
 using FourInMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
 
+inline Four four(const double (&c)[kDeltaWidth])
+{
+  return Four{c[0], c[1], c[2], c[3]};
+}
+
 /// Lattices of one node: faces along x, y, z, then cell centres along x, y, z; two lanes of padding.
 constexpr int kLattices = 6, kLanes = 8;
 
@@ -39,8 +44,7 @@ inline void find_support(const Vec3& X, double inverse_h, Support& s)
     root[l] = delta_root(r[l]);
   }
   for (int l = 0; l < kLattices; ++l)
-    s.weight[l] = Four{0.375, 0.375, 0.125, 0.125} + r[l] * Four{-0.25, -0.25, 0.25, 0.25} +
-                  root[l] * Four{-0.125, 0.125, 0.125, -0.125};
+    s.weight[l] = four(kDeltaBase) + r[l] * four(kDeltaSlope) + root[l] * four(kDeltaRoot);
 }
 
 /// The lattice of direction d for component c.
