@@ -60,7 +60,8 @@ ib3d::StepBound CoupledModel::next_step(double t_stop)
     bound = {control_.dt_fixed_s, ib3d::Limit::fixed};
   } else {
     // Adams-Bashforth has one stretch of the real axis for convection and viscosity together: the rates add.
-    const double viscous_rate = 1 / ib3d::viscous_step_limit(root_.fluid().level(), root_.fluid().fluid());
+    const double viscous_rate =
+        1 / ib3d::viscous_step_limit(root_.fluid().grid().finest(), root_.fluid().fluid());
     limit(1 / viscous_rate, ib3d::Limit::viscous);
     limit(1 / (root_.courant_rate() / control_.cfl + viscous_rate), ib3d::Limit::cfl);
     const double omega = root_.elastic_rate();

@@ -189,7 +189,7 @@ CaseModel::CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers)
       domain_(domain_from_case(c)),
       grid_(domain_, c.section("grid").real("finest_cm"), comm),
       structure_(structure_from_case(c, domain_, grid_.finest().h)),
-      root_(grid_.finest(), openings_from_case(c, domain_), fluid_from_case(c), pressure_from_case(c),
+      root_(grid_, openings_from_case(c, domain_), fluid_from_case(c), pressure_from_case(c),
             structure_.network,
             c.section("structure").text("scheme") == "midpoint" ? ib3d::StructureScheme::midpoint
                                                                 : ib3d::StructureScheme::leapfrog,

@@ -10,10 +10,9 @@ namespace valsalva::coupling {
 
 namespace {
 
-ib3d::AmrBlock block_of(const ib3d::NavierStokes& fluid, int patch)
+ib3d::AmrBlock block_of(const ib3d::Level& level, const ib3d::MacField& u, const ib3d::CellField<double>& p,
+                        int patch)
 {
-  const ib3d::Level& level = fluid.level();
-  const ib3d::MacField& u = fluid.u();
   const ib3d::IndexBox& box = level.local_box(patch);
   ib3d::AmrBlock block;
   block.order = level.local[static_cast<std::size_t>(patch)];
@@ -23,7 +22,7 @@ ib3d::AmrBlock block_of(const ib3d::NavierStokes& fluid, int patch)
     block.velocity.push_back(static_cast<float>(0.5 * (u(patch, 0)(i, j, k) + u(patch, 0)(i + 1, j, k))));
     block.velocity.push_back(static_cast<float>(0.5 * (u(patch, 1)(i, j, k) + u(patch, 1)(i, j + 1, k))));
     block.velocity.push_back(static_cast<float>(0.5 * (u(patch, 2)(i, j, k) + u(patch, 2)(i, j, k + 1))));
-    block.pressure.push_back(static_cast<float>(common::mmHg_from_dyn_cm2(fluid.p()[patch](i, j, k))));
+    block.pressure.push_back(static_cast<float>(common::mmHg_from_dyn_cm2(p[patch](i, j, k))));
   });
   return block;
 }
@@ -80,11 +79,16 @@ void Snapshots::write_due()
 void Snapshots::write_fields(double t)
 {
   const ib3d::NavierStokes& fluid = model_.root().fluid();
-  ib3d::AmrLevel level{fluid.level().h, {}, {}};
-  for (const ib3d::Patch& p : fluid.level().patches) level.boxes.push_back({p.box.lo, p.box.hi});
-  for (int p = 0; p < fluid.level().local_count(); ++p) level.local.push_back(block_of(fluid, p));
+  std::vector<ib3d::AmrLevel> levels;
+  for (std::size_t l = 0; l < fluid.u().size(); ++l) {
+    const ib3d::Level& level = fluid.grid().levels()[l];
+    ib3d::AmrLevel& out = levels.emplace_back(ib3d::AmrLevel{level.h, {}, {}});
+    for (const ib3d::Patch& p : level.patches) out.boxes.push_back({p.box.lo, p.box.hi});
+    for (int p = 0; p < level.local_count(); ++p)
+      out.local.push_back(block_of(level, fluid.u()[l], fluid.p()[l], p));
+  }
   const std::string name = ib3d::numbered_file("fields", fields_.count);
-  ib3d::write_overlapping_amr(folder_ + "/fields/" + name, t, Vec3{0, 0, 0}, {level}, comm_.raw());
+  ib3d::write_overlapping_amr(folder_ + "/fields/" + name, t, Vec3{0, 0, 0}, levels, comm_.raw());
   if (field_series_) field_series_->add(name, t);
 }
 

@@ -64,14 +64,14 @@ Traces::Traces(const std::string& folder, const CaseFile& c, CaseModel& model, c
 std::vector<double> Traces::probe_row()
 {
   const ib3d::RootSolver& root = model_.root();
-  const ib3d::Level& level = root.fluid().level();
+  const ib3d::Hierarchy& grid = root.fluid().grid();
   std::vector<double> row{model_.model().t()};
-  for (double p : ib3d::pressure_at(level, root.fluid().p(), center_[0], center_[1], probes_z_))
+  for (double p : ib3d::pressure_at(grid, root.fluid().p(), center_[0], center_[1], probes_z_))
     row.push_back(common::mmHg_from_dyn_cm2(p));
   if (valve_radius_ > 0) {
     q_upstream_ =
-        ib3d::flow_through_disc(level, root.fluid().u(), center_[0], center_[1], upstream_z_, valve_radius_);
-    q_downstream_ = ib3d::flow_through_disc(level, root.fluid().u(), center_[0], center_[1], downstream_z_,
+        ib3d::flow_through_disc(grid, root.fluid().u(), center_[0], center_[1], upstream_z_, valve_radius_);
+    q_downstream_ = ib3d::flow_through_disc(grid, root.fluid().u(), center_[0], center_[1], downstream_z_,
                                             downstream_radius_);
   }
   orifice_ = edge_nodes_.empty() ? -1 : ib3d::orifice_area(root.nodes().gather(root.X(), edge_nodes_));

@@ -10,17 +10,16 @@ constexpr int kStepsBetweenElasticSweeps = 30;
 
 }  // namespace
 
-RootSolver::RootSolver(const Level& level, std::vector<Opening> openings, const FluidParameters& fluid,
+RootSolver::RootSolver(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
                        const PressureOptions& pressure, FiberNetwork structure, StructureScheme scheme,
                        Timers& timers)
-    : level_(level),
-      scheme_(scheme),
+    : scheme_(scheme),
       timers_(timers),
-      fluid_(level, std::move(openings), fluid, pressure),
-      nodes_(std::move(structure), level),
-      interaction_(level),
-      elastic_(level, fluid.density),
-      f_(level),
+      fluid_(grid, std::move(openings), fluid, pressure),
+      nodes_(std::move(structure), grid.finest()),
+      interaction_(grid.finest()),
+      elastic_(grid.finest(), fluid.density),
+      f_(grid.finest()),
       X_(nodes_.part().network.X)
 {
 }
@@ -34,7 +33,7 @@ void RootSolver::begin_step(double dt)
   const std::vector<Vec3>* forced_at = &X_;
   if (scheme_ == StructureScheme::midpoint) {
     const auto scope = timers_.time("interpolate");
-    interaction_.interpolate(nodes_.first(), X_, fluid_.u(), U_);
+    interaction_.interpolate(nodes_.first(), X_, fluid_.u().back(), U_);
     X_middle_.resize(count);
     for (std::size_t n = 0; n < count; ++n) X_middle_[n] = X_[n] + 0.5 * dt * U_[n];
     nodes_.fill_copies(X_middle_);
@@ -68,11 +67,11 @@ void RootSolver::accept(const std::vector<double>& phi)
     const auto scope = timers_.time("interpolate");
     if (scheme_ == StructureScheme::midpoint) {
       U_before_.resize(U_.size());
-      interaction_.interpolate(nodes_.first(), X_middle_, fluid_.u_before(), U_before_);
-      interaction_.interpolate(nodes_.first(), X_middle_, fluid_.u(), U_);
+      interaction_.interpolate(nodes_.first(), X_middle_, fluid_.u_before().back(), U_before_);
+      interaction_.interpolate(nodes_.first(), X_middle_, fluid_.u().back(), U_);
       for (std::size_t n = 0; n < U_.size(); ++n) U_[n] = 0.5 * (U_[n] + U_before_[n]);
     } else {
-      interaction_.interpolate(nodes_.first(), X_, fluid_.u(), U_);
+      interaction_.interpolate(nodes_.first(), X_, fluid_.u().back(), U_);
     }
     for (int n = 0; n < nodes_.owned(); ++n)
       X_[static_cast<std::size_t>(n)] += dt_ * U_[static_cast<std::size_t>(n)];
@@ -84,8 +83,8 @@ void RootSolver::accept(const std::vector<double>& phi)
 
 void RootSolver::check_and_redistribute()
 {
-  double state[2] = {ib3d::courant_rate(level_, fluid_.u()), nodes_.has_strays(X_) ? 1.0 : 0.0};
-  MPI_Allreduce(MPI_IN_PLACE, state, 2, MPI_DOUBLE, MPI_MAX, level_.comm);
+  double state[2] = {fluid_.courant_rate(), nodes_.has_strays(X_) ? 1.0 : 0.0};
+  MPI_Allreduce(MPI_IN_PLACE, state, 2, MPI_DOUBLE, MPI_MAX, fluid_.grid().comm());
   courant_rate_ = state[0];
   if (state[1] == 0) return;
   X_ = nodes_.redistribute(X_);

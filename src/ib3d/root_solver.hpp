@@ -21,7 +21,7 @@ enum class StructureScheme { leapfrog, midpoint };
 class RootSolver {
  public:
   /// Throws CaseError when a node lies outside the domain.
-  RootSolver(const Level& level, std::vector<Opening> openings, const FluidParameters& fluid,
+  RootSolver(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
              const PressureOptions& pressure, FiberNetwork structure, StructureScheme scheme, Timers& timers);
 
   void begin_step(double dt);
@@ -41,7 +41,6 @@ class RootSolver {
  private:
   void check_and_redistribute();
 
-  Level level_;
   StructureScheme scheme_;
   Timers& timers_;
   NavierStokes fluid_;

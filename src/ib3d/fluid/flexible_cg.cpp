@@ -12,119 +12,131 @@ namespace valsalva::ib3d {
 
 namespace {
 
-template <class Row>
-void for_each_local_row(const Level& level, Row&& row)
-{
-  for (int p = 0; p < level.local_count(); ++p) {
-    const IndexBox& box = level.local_box(p);
-    for_each_row(box, [&](int j, int k) { row(p, box.lo[0], j, k, box.size(0)); });
-  }
-}
-
-template <std::size_t N>
-std::array<double, N> sum_over_ranks(const Level& level, std::array<double, N> local)
-{
-  MPI_Allreduce(MPI_IN_PLACE, local.data(), static_cast<int>(N), MPI_DOUBLE, MPI_SUM, level.comm);
-  return local;
-}
-
-void remove_mean(const Level& level, CellField<double>& r)
-{
-  double sum = 0;
-  for_each_local_row(level, [&](int p, int i0, int j, int k, int n) {
-    const double* x = r[p].at(i0, j, k);
-    for (int i = 0; i < n; ++i) sum += x[i];
-  });
-  const double mean = sum_over_ranks<1>(level, {sum})[0] / static_cast<double>(level.cell_count());
-  for_each_local_row(level, [&](int p, int i0, int j, int k, int n) {
-    double* x = r[p].at(i0, j, k);
-    for (int i = 0; i < n; ++i) x[i] -= mean;
-  });
-}
-
-double largest(const Level& level, const CellField<double>& r)
-{
-  double m = 0;
-  for_each_local_row(level, [&](int p, int i0, int j, int k, int n) {
-    const double* x = r[p].at(i0, j, k);
-    for (int i = 0; i < n; ++i) m = std::max(m, std::abs(x[i]));
-  });
-  MPI_Allreduce(MPI_IN_PLACE, &m, 1, MPI_DOUBLE, MPI_MAX, level.comm);
-  return m;
-}
+/// Reduction of the residual that single precision carries safely.
+constexpr double kTrustedReduction = 1e-4;
 
 }  // namespace
 
-FlexibleCg::FlexibleCg(const PressureGrid& grid, Preconditioner& preconditioner)
-    : grid_(grid),
+FlexibleCg::FlexibleCg(CompositePressure& problem, Preconditioner& preconditioner)
+    : problem_(problem),
       preconditioner_(preconditioner),
-      direction_(grid.level()),
-      z_(grid.level()),
-      a_direction_(grid.level())
+      grid_(problem.hierarchy()),
+      r_(composite_cells<float>(grid_)),
+      direction_(composite_cells<float>(grid_)),
+      z_(composite_cells<float>(grid_)),
+      a_direction_(composite_cells<float>(grid_))
 {
+  const Level& coarsest = grid_.level(0);
+  volume_ = static_cast<double>(coarsest.box.volume()) * std::pow(coarsest.h, 3);
 }
 
-KrylovReport FlexibleCg::solve(CellField<double>& r, CellField<double>& p, double tolerance_rms,
-                               int max_iterations)
+double FlexibleCg::sum_over_ranks(double local) const
 {
-  const Level& level = grid_.level();
-  const double cells = static_cast<double>(level.cell_count());
-  const double h2 = level.h * level.h;
-  if (grid_.singular()) remove_mean(level, r);
+  MPI_Allreduce(MPI_IN_PLACE, &local, 1, MPI_DOUBLE, MPI_SUM, grid_.comm());
+  return local;
+}
 
+double FlexibleCg::rms() const
+{
+  double sum = 0;
+  for_each_local_row(grid_, [&](std::size_t l, int q, int i, int j, int k, int n) {
+    const float* r = r_[l][q].at(i, j, k);
+    sum += two_products_row(r, r, r, n).first / grid_.levels()[l].h;
+  });
+  return std::sqrt(sum_over_ranks(sum) / volume_);
+}
+
+double FlexibleCg::largest() const
+{
+  double m = 0;
+  for_each_local_row(grid_, [&](std::size_t l, int q, int i, int j, int k, int n) {
+    const double h = grid_.levels()[l].h;
+    m = std::max(m, static_cast<double>(largest_in_row(r_[l][q].at(i, j, k), n)) / (h * h));
+  });
+  MPI_Allreduce(MPI_IN_PLACE, &m, 1, MPI_DOUBLE, MPI_MAX, grid_.comm());
+  return m;
+}
+
+void FlexibleCg::remove_mean()
+{
+  double sum = 0;
+  for_each_local_row(grid_, [&](std::size_t l, int q, int i, int j, int k, int n) {
+    const float* r = r_[l][q].at(i, j, k);
+    double row = 0;
+    for (int m = 0; m < n; ++m) row += static_cast<double>(r[m]);
+    sum += grid_.levels()[l].h * row;
+  });
+  const double mean = sum_over_ranks(sum) / volume_;
+  for_each_local_row(grid_, [&](std::size_t l, int q, int i, int j, int k, int n) {
+    const double h = grid_.levels()[l].h;
+    float* r = r_[l][q].at(i, j, k);
+    for (int m = 0; m < n; ++m) r[m] -= static_cast<float>(mean * h * h);
+  });
+  for (int l = 0; l < grid_.level_count(); ++l) problem_.zero_covered(l, r_[static_cast<std::size_t>(l)]);
+}
+
+KrylovReport FlexibleCg::solve(CompositeCells<double>& p,
+                               const std::function<void(CompositeCells<float>&)>& residual,
+                               double tolerance_rms, int max_iterations)
+{
   KrylovReport report;
-  double rms = std::sqrt(dot(level, r, r) / cells);
-  report.initial_rms = rms;
-  double beta = 0, z_r_old = 0, alpha = 0;
-  while (rms > tolerance_rms) {
+  for (bool first = true;; first = false) {
+    residual(r_);
+    if (problem_.singular()) remove_mean();
+    const double now = rms();
+    if (!std::isfinite(now)) throw SolverError("the pressure solve was given a number that is not finite");
+    if (first) report.initial_rms = now;
+    report.final_rms = now;
+    if (now <= tolerance_rms) break;
+    const double target = std::max(tolerance_rms, kTrustedReduction * now);
+    report.final_rms = iterate(p, now, target, max_iterations, report);
+    if (report.final_rms <= tolerance_rms) break;
+  }
+  report.final_max = largest();
+  return report;
+}
+
+double FlexibleCg::iterate(CompositeCells<double>& p, double rms, double target, int max_iterations,
+                           KrylovReport& report)
+{
+  double z_r_old = 0, alpha = 0;
+  for (bool first = true; rms > target; first = false) {
     if (report.iterations == max_iterations)
       throw SolverError(
           fmt::format("the pressure solve has not converged after {} iterations (residual {:.3g}, from "
                       "{:.3g}, wanted {:.3g})",
-                      max_iterations, rms, report.initial_rms, tolerance_rms));
-    preconditioner_.apply(r, 1 / rms, z_);
-    const double unscale = rms * h2;
+                      max_iterations, rms, report.initial_rms, target));
+    preconditioner_.apply(r_, z_);
 
     std::array<double, 2> products{};  // <z, r>, <z, A d_old>
-    for_each_local_row(level, [&](int q, int i, int j, int k, int n) {
-      const TwoSums s = two_products_row(z_[q].at(i, j, k), r[q].at(i, j, k), a_direction_[q].at(i, j, k), n);
-      products[0] += s.first;
-      products[1] += s.second;
+    for_each_local_row(grid_, [&](std::size_t l, int q, int i, int j, int k, int n) {
+      const TwoSums s =
+          two_products_row(z_[l][q].at(i, j, k), r_[l][q].at(i, j, k), a_direction_[l][q].at(i, j, k), n);
+      products[0] += grid_.levels()[l].h * s.first;
+      products[1] += grid_.levels()[l].h * s.second;
     });
-    products = sum_over_ranks<2>(level, products);
-    const double z_r = unscale * products[0];
-    beta =
-        report.iterations == 0 ? 0 : -alpha * unscale * products[1] / z_r_old;  // r - r_old = -alpha A d_old
-    z_r_old = z_r;
+    MPI_Allreduce(MPI_IN_PLACE, products.data(), 2, MPI_DOUBLE, MPI_SUM, grid_.comm());
+    const double beta = first ? 0 : -alpha * products[1] / z_r_old;  // r - r_old = -alpha A d_old
+    z_r_old = products[0];
+    for_each_local_row(grid_, [&](std::size_t l, int q, int i, int j, int k, int n) {
+      direction_row(direction_[l][q].at(i, j, k), z_[l][q].at(i, j, k), static_cast<float>(beta), n);
+    });
 
-    for_each_local_row(level, [&](int q, int i, int j, int k, int n) {
-      direction_row(direction_[q].at(i, j, k), z_[q].at(i, j, k), unscale, beta, n);
-    });
-    grid_.fill_ghosts(direction_);
-
-    std::array<double, 2> curvature{};  // <d, A d>, <d, r>
-    for_each_local_row(level, [&](int q, int i, int j, int k, int n) {
-      const TwoSums s = apply_row(a_direction_[q].at(i, j, k), direction_[q].at(i, j, k), r[q].at(i, j, k),
-                                  1 / h2, direction_[q].stride(1), direction_[q].stride(2), n);
-      curvature[0] += s.first;
-      curvature[1] += s.second;
-    });
-    curvature = sum_over_ranks<2>(level, curvature);
+    std::array<double, 2> curvature = problem_.apply(direction_, r_, a_direction_);  // <d, A d>, <d, r>
+    MPI_Allreduce(MPI_IN_PLACE, curvature.data(), 2, MPI_DOUBLE, MPI_SUM, grid_.comm());
     alpha = curvature[1] / curvature[0];
 
     double square = 0;
-    for_each_local_row(level, [&](int q, int i, int j, int k, int n) {
-      square += update_row(p[q].at(i, j, k), r[q].at(i, j, k), direction_[q].at(i, j, k),
-                           a_direction_[q].at(i, j, k), alpha, n);
+    for_each_local_row(grid_, [&](std::size_t l, int q, int i, int j, int k, int n) {
+      square += update_row(p[l][q].at(i, j, k), r_[l][q].at(i, j, k), direction_[l][q].at(i, j, k),
+                           a_direction_[l][q].at(i, j, k), static_cast<float>(alpha), n) /
+                grid_.levels()[l].h;
     });
-    rms = std::sqrt(sum_over_ranks<1>(level, {square})[0] / cells);
+    rms = std::sqrt(sum_over_ranks(square) / volume_);
     ++report.iterations;
     if (!std::isfinite(rms)) throw SolverError("the pressure solve met a number that is not finite");
   }
-  if (!std::isfinite(rms)) throw SolverError("the pressure solve was given a number that is not finite");
-  report.final_rms = rms;
-  report.final_max = largest(level, r);
-  return report;
+  return rms;
 }
 
 }  // namespace valsalva::ib3d

@@ -119,16 +119,15 @@ HyprePfmg::HyprePfmg(const PressureGrid& grid, int cycles) : hypre_(std::make_un
 
 HyprePfmg::~HyprePfmg() = default;
 
-template <class T>
-void HyprePfmg::run(const CellField<T>& r, double scale, CellField<float>& z)
+void HyprePfmg::solve(const CellField<float>& r, CellField<float>& z)
 {
   Handles& h = *hypre_;
   for (std::size_t p = 0; p < h.boxes.size(); ++p) {
     const IndexBox& box = h.boxes[p];
     h.values.clear();
     for_each_row(box, [&](int j, int k) {
-      const T* row = r[static_cast<int>(p)].at(box.lo[0], j, k);
-      for (int i = 0; i < box.size(0); ++i) h.values.push_back(scale * static_cast<double>(row[i]));
+      const float* row = r[static_cast<int>(p)].at(box.lo[0], j, k);
+      h.values.insert(h.values.end(), row, row + box.size(0));
     });
     Int3 lo = box.lo, hi = last(box);
     HYPRE_StructVectorSetBoxValues(h.rhs, lo.data(), hi.data(), h.values.data());
@@ -146,15 +145,6 @@ void HyprePfmg::run(const CellField<T>& r, double scale, CellField<float>& z)
     });
   }
   HYPRE_ClearAllErrors();  // "not converged" after the fixed number of cycles is not an error here
-}
-
-void HyprePfmg::apply(const CellField<double>& r, double scale, CellField<float>& z)
-{
-  run(r, scale, z);
-}
-void HyprePfmg::solve(const CellField<float>& r, CellField<float>& z)
-{
-  run(r, 1.0, z);
 }
 
 }  // namespace valsalva::ib3d

@@ -19,12 +19,11 @@ class HyprePfmg : public Preconditioner {
   HyprePfmg(const HyprePfmg&) = delete;
   HyprePfmg& operator=(const HyprePfmg&) = delete;
 
-  void apply(const CellField<double>& r, double scale, CellField<float>& z) override;
+  /// On a hierarchy of one level.
+  void apply(const CompositeCells<float>& r, CompositeCells<float>& z) override { solve(r.at(0), z.at(0)); }
   void solve(const CellField<float>& r, CellField<float>& z);
 
  private:
-  template <class T>
-  void run(const CellField<T>& r, double scale, CellField<float>& z);
   struct Handles;
   std::unique_ptr<Handles> hypre_;
 };

@@ -8,7 +8,7 @@
 
 namespace valsalva::ib3d {
 
-void advance_momentum(const Level& level, const FluidParameters& fluid, const MacField& u, const MacField& f,
+void advance_momentum(const Level& level, const FluidParameters& fluid, const MacField& u, const MacField* f,
                       double dt, double w1, MacField& rate, MacField& u_star)
 {
   const double convection = fluid.advection ? -1 / level.h : 0.0;
@@ -20,8 +20,10 @@ void advance_momentum(const Level& level, const FluidParameters& fluid, const Ma
       const std::ptrdiff_t sy = u(p, c).stride(1), sz = u(p, c).stride(2);
       for_each_convected_row({&u(p, 0), &u(p, 1), &u(p, 2)}, c, box, [&](int j, int k, const double* div) {
         const int i = box.lo[0];
-        momentum_row(u_star(p, c).at(i, j, k), rate(p, c).at(i, j, k), u(p, c).at(i, j, k), div,
-                     f(p, c).at(i, j, k), convection, diffusion, now, before, force, sy, sz, box.size(0));
+        double* out = u_star(p, c).at(i, j, k);
+        momentum_row(out, rate(p, c).at(i, j, k), u(p, c).at(i, j, k), div, convection, diffusion, now,
+                     before, sy, sz, box.size(0));
+        if (f != nullptr) add_row(out, (*f)(p, c).at(i, j, k), force, box.size(0));
       });
     }
 }

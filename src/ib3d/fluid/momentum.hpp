@@ -16,8 +16,8 @@ struct FluidParameters {
 };
 
 /// Writes u* (on all faces of the local patches, boundary faces included) and replaces `rate`, G^{n-1}, by
-/// G^n. u: cm/s with ghosts filled; f: force density, dyn/cm^3, on the same faces; w1 as above.
-void advance_momentum(const Level& level, const FluidParameters& fluid, const MacField& u, const MacField& f,
+/// G^n. u: cm/s with ghosts filled; f: force density, dyn/cm^3, on the same faces, or null; w1 as above.
+void advance_momentum(const Level& level, const FluidParameters& fluid, const MacField& u, const MacField* f,
                       double dt, double w1, MacField& rate, MacField& u_star);
 
 /// The largest step for which the explicit viscous term is used, 6 mu dt/(rho h^2) < 0.5 (s).

@@ -109,43 +109,94 @@ void add_prolongation(const Level& fine, const CellField<float>& coarse, CellFie
   }
 }
 
+/// The first layer of cells of a patch along a side.
+IndexBox first_layer(const IndexBox& box, int side)
+{
+  const auto d = static_cast<std::size_t>(side_direction(side));
+  IndexBox layer = box;
+  (side_is_high(side) ? layer.lo[d] : layer.hi[d]) = side_is_high(side) ? box.hi[d] - 1 : box.lo[d] + 1;
+  return layer;
+}
+
 }  // namespace
 
-Multilevel::MgLevel::MgLevel(PressureGrid g)
-    : grid(std::move(g)), e(grid.level()), rhs(grid.level()), relaxation(grid.level())
+/// Transfer from a refined level to the composite level below it, whose boxes and owners are others.
+struct Multilevel::Transfer {
+  Level coarsened;  ///< the refined level's boxes in coarse cells
+  CellField<float> rhs, e;
+  CopyPlan down, up;
+
+  Transfer(const Level& coarse, const Level& fine)
+      : coarsened(fine.coarsened()), rhs(coarsened), e(coarsened), down(coarse.comm), up(coarse.comm)
+  {
+    const std::vector<int> here = coarse.local_numbers(), there = fine.local_numbers();
+    for (std::size_t f = 0; f < fine.patches.size(); ++f) {
+      std::vector<IndexBox> wanted{coarsened.patches[f].box.grown(1)};
+      for (std::size_t c = 0; c < coarse.patches.size(); ++c)
+        for_each_image(coarse, [&](const Int3& shift) {
+          const Int3 back{-shift[0], -shift[1], -shift[2]};
+          const int fine_owner = fine.patches[f].owner, coarse_owner = coarse.patches[c].owner;
+          IndexBox source = coarse.patches[c].box.shifted(back);
+          down.add(fine_owner, coarse_owner,
+                   {0, there[f], here[c], intersect(coarsened.patches[f].box, source), shift});
+          for (int side = 0; side < kSideCount; ++side)
+            if (coarse.at_side(coarse.patches[c].box, side)) {
+              const auto d = static_cast<std::size_t>(side_direction(side));
+              side_is_high(side) ? ++source.hi[d] : --source.lo[d];
+            }
+          for (const IndexBox& w : wanted)
+            up.add(coarse_owner, fine_owner,
+                   {0, here[c], there[f], intersect(w, source).shifted(shift), back});
+          wanted = without(wanted, source);
+        });
+    }
+  }
+};
+
+Multilevel::MgLevel::MgLevel(PressureGrid g, PressureInterface* level_edge)
+    : grid(std::move(g)), edge(level_edge), e(grid.level()), rhs(grid.level()), relaxation(grid.level())
 {
   for (int p = 0; p < grid.level().local_count(); ++p) {
     const IndexBox& box = grid.level().local_box(p);
     Array3<float>& diagonal = relaxation[p];
     for_each_index(box, [&](int i, int j, int k) { diagonal(i, j, k) = 6.0f; });
-    for (const SidePlane<float>& theta : grid.shares(p)) {
-      const auto d = static_cast<std::size_t>(side_direction(theta.side));
-      IndexBox layer = box;
-      (side_is_high(theta.side) ? layer.lo[d] : layer.hi[d]) =
-          side_is_high(theta.side) ? box.hi[d] - 1 : box.lo[d] + 1;
-      for_each_index(layer, [&](int i, int j, int k) {
+    for (const SidePlane<float>& theta : grid.shares(p))
+      for_each_index(first_layer(box, theta.side), [&](int i, int j, int k) {
         const Int3 at{i, j, k};
         diagonal(i, j, k) -=
             1 - 2 * theta(at[static_cast<std::size_t>(theta.t1)], at[static_cast<std::size_t>(theta.t2)]);
       });
-    }
+    if (edge != nullptr)
+      edge->for_each_edge_cell(p, [&](int i, int j, int k) { diagonal(i, j, k) -= 2.0f / 3; });
     for_each_index(box,
                    [&](int i, int j, int k) { diagonal(i, j, k) = kOverRelaxation / diagonal(i, j, k); });
   }
 }
 
-Multilevel::Multilevel(const PressureGrid& finest)
+void Multilevel::MgLevel::fill_ghosts(CellField<float>& a) const
 {
-  PressureGrid grid = finest;
-  levels_.emplace_back(grid);
-  while (grid.level().can_coarsen()) {
-    grid = grid.coarsened();
-    levels_.emplace_back(grid);
+  grid.fill_ghosts(a);
+  if (edge != nullptr) edge->fill_ghosts(a);
+}
+
+Multilevel::Multilevel(CompositePressure& problem)
+    : composite_levels_(static_cast<std::size_t>(problem.hierarchy().level_count()))
+{
+  for (int l = problem.hierarchy().level_count() - 1; l >= 0; --l) {
+    levels_.emplace_back(problem.grid(l), l > 0 ? &problem.edge(l) : nullptr);
+    if (l > 0)
+      levels_.back().transfer =
+          std::make_unique<Transfer>(problem.hierarchy().level(l - 1), problem.hierarchy().level(l));
   }
+  while (levels_.back().grid.level().can_coarsen())
+    levels_.emplace_back(levels_.back().grid.coarsened(), nullptr);
   base_ = std::make_unique<HyprePfmg>(levels_.back().grid, 2);
 }
 
-void Multilevel::smooth(MgLevel& m, CellField<float>& e, bool from_zero)
+Multilevel::~Multilevel() = default;
+
+void Multilevel::smooth(const MgLevel& m, const CellField<float>& rhs, CellField<float>& e, bool from_zero,
+                        bool ghosts_wanted)
 {
   const Level& level = m.grid.level();
   for (int colour = 0; colour < 2; ++colour) {
@@ -161,43 +212,60 @@ void Multilevel::smooth(MgLevel& m, CellField<float>& e, bool from_zero)
       for (int k = box.lo[2]; k < box.hi[2]; ++k) {
         const float* mask = mask_.data() + ((i + j + k + colour) & 1);
         if (from_zero && colour == 0)
-          relax_zero(e[p].at(i, j, k), m.rhs[p].at(i, j, k), m.relaxation[p].at(i, j, k), mask, plane);
+          relax_zero(e[p].at(i, j, k), rhs[p].at(i, j, k), m.relaxation[p].at(i, j, k), mask, plane);
         else
-          relax(e[p].at(i, j, k), increment_.data(), m.rhs[p].at(i, j, k), m.relaxation[p].at(i, j, k), mask,
+          relax(e[p].at(i, j, k), increment_.data(), rhs[p].at(i, j, k), m.relaxation[p].at(i, j, k), mask,
                 plane);
       }
     }
-    m.grid.fill_ghosts(e);
+    if (colour == 0 || ghosts_wanted) m.fill_ghosts(e);
   }
 }
 
-void Multilevel::cycle(std::size_t l, CellField<float>& e)
+/// One V-cycle for A e = rhs on level l (0 the finest) and below.
+void Multilevel::cycle(std::size_t l, const CellField<float>& rhs, CellField<float>& e)
 {
   MgLevel& m = levels_[l];
   if (l + 1 == levels_.size()) {
-    base_->solve(m.rhs, e);
+    base_->solve(rhs, e);
     m.grid.fill_ghosts(e);
     return;
   }
   MgLevel& coarse = levels_[l + 1];
-  smooth(m, e, true);
-  restrict_residual(coarse.grid.level(), m.grid.level(), m.rhs, e, coarse.rhs);
-  cycle(l + 1, coarse.e);
-  add_prolongation(m.grid.level(), coarse.e, e);
-  m.grid.fill_ghosts(e);
-  smooth(m, e, false);
+  CellField<float>& coarse_e = l + 1 < composite_levels_ ? (*z_)[composite_levels_ - 2 - l] : coarse.e;
+  if (m.edge != nullptr) m.edge->zero_base();
+  smooth(m, rhs, e, true, true);
+  if (m.transfer == nullptr) {
+    restrict_residual(coarse.grid.level(), m.grid.level(), rhs, e, coarse.rhs);
+    cycle(l + 1, coarse.rhs, coarse_e);
+    add_prolongation(m.grid.level(), coarse_e, e);
+  } else {
+    Transfer& t = *m.transfer;
+    restrict_residual(t.coarsened, m.grid.level(), rhs, e, t.rhs);
+    t.down.forward<float>([&](int p, int) -> const Array3<float>& { return t.rhs[p]; },
+                          [&](int p, int) -> Array3<float>& { return coarse.rhs[p]; });
+    m.edge->for_each_flux(e, [&](int patch, const Int3& c, int, double jumps) {
+      coarse.rhs[patch](c[0], c[1], c[2]) -= static_cast<float>(0.5 * jumps);
+    });
+    cycle(l + 1, coarse.rhs, coarse_e);
+    t.up.forward<float>([&](int p, int) -> const Array3<float>& { return coarse_e[p]; },
+                        [&](int p, int) -> Array3<float>& { return t.e[p]; });
+    add_prolongation(m.grid.level(), t.e, e);
+    m.edge->take_base(coarse_e);
+  }
+  m.fill_ghosts(e);
+  smooth(m, rhs, e, false, l > 0);
 }
 
-void Multilevel::apply(const CellField<double>& r, double scale, CellField<float>& z)
+void Multilevel::apply(const CompositeCells<float>& r, CompositeCells<float>& z)
 {
-  const Level& level = levels_[0].grid.level();
-  for (int p = 0; p < level.local_count(); ++p) {
-    const IndexBox& box = level.local_box(p);
-    for_each_row(box, [&](int j, int k) {
-      scale_row(levels_[0].rhs[p].at(box.lo[0], j, k), r[p].at(box.lo[0], j, k), scale, box.size(0));
-    });
-  }
-  cycle(0, z);
+  z_ = &z;
+  // Covered cells of the coarser levels get their right-hand side from the finer one, valid ones from r.
+  for (std::size_t l = 1; l < composite_levels_; ++l)
+    for (int p = 0; p < levels_[l].rhs.patch_count(); ++p)
+      std::copy(r[composite_levels_ - 1 - l][p].data().begin(), r[composite_levels_ - 1 - l][p].data().end(),
+                levels_[l].rhs[p].data().begin());
+  cycle(0, r.back(), z.back());
 }
 
 }  // namespace valsalva::ib3d

@@ -10,8 +10,9 @@ namespace valsalva::ib3d {
 namespace {
 
 /// No penetration: the normal velocity on boundary faces without a prescribed pressure is zero.
-void close_walls(const Level& level, const PressureGrid& grid, MacField& u)
+void close_walls(const PressureGrid& grid, MacField& u)
 {
+  const Level& level = grid.level();
   for (int p = 0; p < level.local_count(); ++p)
     for (const SidePlane<float>& theta : grid.shares(p)) {
       const auto d = static_cast<std::size_t>(side_direction(theta.side));
@@ -29,38 +30,59 @@ void close_walls(const Level& level, const PressureGrid& grid, MacField& u)
 
 }  // namespace
 
-NavierStokes::NavierStokes(const Level& level, std::vector<Opening> openings, const FluidParameters& fluid,
+NavierStokes::NavierStokes(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
                            const PressureOptions& pressure)
-    : level_(level),
+    : grid_(grid),
       openings_(std::move(openings)),
       fluid_(fluid),
-      solver_(level_, openings_, pressure),
-      modes_(level_, openings_, solver_, fluid.density),
-      faces_(Halo::for_faces(level_)),
-      shared_faces_(Halo::for_faces(level_, 0)),
-      u_(level_),
-      u_new_(level_),
-      rate_(level_),
-      p_(level_),
-      p_before_(level_),
-      residual_(level_),
-      p_b_(solver_.grid().zero_boundary_pressure())
+      transfers_(transfers_between_levels(grid_)),
+      opening_faces_(grid_, openings_),
+      solver_(grid_, openings_, pressure, transfers_),
+      modes_(opening_faces_, solver_, fluid.density),
+      u_(composite_faces(grid_)),
+      u_new_(composite_faces(grid_)),
+      rate_(composite_faces(grid_)),
+      p_(composite_cells<double>(grid_)),
+      p_before_(composite_cells<double>(grid_)),
+      p_b_(solver_.problem().zero_boundary_pressure())
 {
+  for (const Level& level : grid_.levels()) {
+    faces_.push_back(Halo::for_faces(level));
+    shared_faces_.push_back(Halo::for_faces(level, 0));
+  }
 }
 
-void NavierStokes::fill_velocity_ghosts(MacField& u) const
+void NavierStokes::average_down(CompositeMac& u)
 {
-  faces_.fill(u);
-  fill_mirrored(level_, u);
+  for (std::size_t l = u.size() - 1; l > 0; --l) transfers_[l - 1].average_down(u[l], u[l - 1]);
 }
 
-void NavierStokes::set_velocity(const MacField& u)
+void NavierStokes::fill_velocity_ghosts(CompositeMac& u)
+{
+  for (std::size_t l = 0; l < u.size(); ++l) {
+    if (l > 0) transfers_[l - 1].fill_ghosts(u[l - 1], u[l]);
+    faces_[l].fill(u[l]);
+    fill_mirrored(grid_.levels()[l], u[l]);
+  }
+}
+
+void NavierStokes::set_velocity(const CompositeMac& u)
 {
   u_ = u;
-  close_walls(level_, solver_.grid(), u_);
+  for (int l = 0; l < grid_.level_count(); ++l)
+    close_walls(solver_.problem().grid(l), u_[static_cast<std::size_t>(l)]);
+  average_down(u_);
   fill_velocity_ghosts(u_);
   u_new_ = u_;
   dt_ = dt_before_ = 0;
+}
+
+double NavierStokes::courant_rate() const
+{
+  double largest = 0;
+  for (std::size_t l = 0; l < u_.size(); ++l)
+    largest = std::max(largest, ib3d::courant_rate(grid_.levels()[l], u_[l]));
+  return largest;
 }
 
 void NavierStokes::begin_step(const MacField& f, double dt)
@@ -68,49 +90,27 @@ void NavierStokes::begin_step(const MacField& f, double dt)
   dt_before_ = dt_;
   dt_ = dt;
   const double w1 = dt_before_ > 0 ? -0.5 * dt / dt_before_ : 0.0;
-  advance_momentum(level_, fluid_, u_, f, dt, w1, rate_, u_new_);
-  close_walls(level_, solver_.grid(), u_new_);
-  shared_faces_.fill(u_new_);  // f is complete on owned faces only
+  for (std::size_t l = 0; l < u_.size(); ++l) {
+    const MacField* force = l + 1 == u_.size() ? &f : nullptr;
+    advance_momentum(grid_.levels()[l], fluid_, u_[l], force, dt, w1, rate_[l], u_new_[l]);
+    close_walls(solver_.problem().grid(static_cast<int>(l)), u_new_[l]);
+    shared_faces_[l].fill(u_new_[l]);  // f is complete on owned faces only
+  }
+  average_down(u_new_);
 }
 
 void NavierStokes::prescribe(const std::vector<double>& opening_pressure)
 {
-  const std::vector<double> flow = flow_through(openings_, level_, u_);
+  const std::vector<double> flow = opening_faces_.flow(u_);
   for (std::size_t m = 0; m < openings_.size(); ++m) {
-    const Opening& o = openings_[m];
-    const double inward = side_is_high(o.side) ? -1.0 : 1.0;
-    const double mean = -flow[m] / disc_area(o, level_);
-    const int k = side_is_high(o.side) ? level_.box.hi[2] : level_.box.lo[2];
-    for (int p = 0; p < level_.local_count(); ++p)
-      for (SidePlane<double>& plane : p_b_[static_cast<std::size_t>(p)]) {
-        if (plane.side != o.side) continue;
-        for (int b = plane.lo2; b < plane.lo2 + plane.n2; ++b)
-          for (int a = plane.lo1; a < plane.lo1 + plane.n1; ++a) {
-            if (!in_disc(o, level_, a, b)) continue;
-            const double w = inward * u_(p, 2)(a, b, k);
-            const double excess =
-                fluid_.advection ? fluid_.density * (w * std::abs(w) - mean * std::abs(mean)) : 0.0;
-            plane(a, b) = opening_pressure[m] - excess;
-          }
-      }
-  }
-}
-
-/// residual = lap p - (rho/dt) div u*, with the ghosts of p filled.
-void NavierStokes::pressure_residual()
-{
-  const double h2 = level_.h * level_.h;
-  const double source = fluid_.density / (dt_ * level_.h);
-  for (int p = 0; p < level_.local_count(); ++p) {
-    const IndexBox& box = level_.local_box(p);
-    const std::ptrdiff_t sy = p_[p].stride(1), sz = p_[p].stride(2);
-    const std::ptrdiff_t fy = u_new_(p, 1).stride(1), fz = u_new_(p, 2).stride(2);
-    for_each_row(box, [&](int j, int k) {
-      const int i = box.lo[0];
-      pressure_residual_row(residual_[p].at(i, j, k), p_[p].at(i, j, k), u_new_(p, 0).at(i, j, k),
-                            u_new_(p, 1).at(i, j, k), u_new_(p, 2).at(i, j, k), 1 / h2, source, sy, sz, fy,
-                            fz, box.size(0));
-    });
+    const double inward = side_is_high(openings_[m].side) ? -1.0 : 1.0;
+    const double mean = -flow[m] / opening_faces_.area(m);
+    for (const OpeningFaces::Face& f : opening_faces_.of(m)) {
+      const double w = inward * u_[static_cast<std::size_t>(f.level)](f.patch, 2)(f.i, f.j, f.k);
+      const double excess =
+          fluid_.advection ? fluid_.density * (w * std::abs(w) - mean * std::abs(mean)) : 0.0;
+      set_boundary_pressure(p_b_, f, opening_pressure[m] - excess);
+    }
   }
 }
 
@@ -118,52 +118,37 @@ std::vector<double> NavierStokes::solve_pressure(const std::vector<double>& open
 {
   // The guess 2 p^{n-1/2} - p^{n-3/2}, for steps of unequal length.
   const double ratio = dt_before_ > 0 ? dt_ / dt_before_ : 0.0;
-  for (int q = 0; q < p_.patch_count(); ++q) {
-    std::vector<double>& now = p_[q].data();
-    std::vector<double>& before = p_before_[q].data();
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      const double guess = now[i] + ratio * (now[i] - before[i]);
-      before[i] = now[i];
-      now[i] = guess;
-    }
-  }
+  for (std::size_t l = 0; l < p_.size(); ++l)
+    for (int q = 0; q < p_[l].patch_count(); ++q)
+      extrapolate_row(p_[l][q].data().data(), p_before_[l][q].data().data(), ratio, p_[l][q].data().size());
   prescribe(opening_pressure);
-  solver_.grid().fill_ghosts(p_, p_b_);
-  pressure_residual();
-  report_ = solver_.solve(residual_, p_, solver_.options().divergence_tolerance * fluid_.density / dt_);
-  solver_.grid().fill_ghosts(p_, p_b_);
-
-  std::vector<double> flow(openings_.size(), 0.0);
-  for (std::size_t m = 0; m < openings_.size(); ++m) {
-    const bool high = side_is_high(openings_[m].side);
-    const int k = high ? level_.box.hi[2] : level_.box.lo[2];
-    for (int p = 0; p < level_.local_count(); ++p) {
-      const IndexBox& cells = level_.local_box(p);
-      if (!level_.at_side(cells, openings_[m].side)) continue;
-      for (int j = cells.lo[1]; j < cells.hi[1]; ++j)
-        for (int i = cells.lo[0]; i < cells.hi[0]; ++i)
-          if (in_disc(openings_[m], level_, i, j))
-            flow[m] += u_new_(p, 2)(i, j, k) -
-                       dt_ / (fluid_.density * level_.h) * (p_[p](i, j, k) - p_[p](i, j, k - 1));
-    }
-    flow[m] *= (high ? 1.0 : -1.0) * level_.h * level_.h;
-  }
-  MPI_Allreduce(MPI_IN_PLACE, flow.data(), static_cast<int>(flow.size()), MPI_DOUBLE, MPI_SUM, level_.comm);
-  return flow;
+  const double source = fluid_.density / dt_;
+  report_ = solver_.solve(p_, p_b_, &u_new_, source, solver_.options().divergence_tolerance * source);
+  return opening_faces_.flow_of([&](const OpeningFaces::Face& f) {
+    const auto l = static_cast<std::size_t>(f.level);
+    const Array3<double>& p = p_[l][f.patch];
+    return u_new_[l](f.patch, 2)(f.i, f.j, f.k) -
+           dt_ / (fluid_.density * grid_.levels()[l].h) * (p(f.i, f.j, f.k) - p(f.i, f.j, f.k - 1));
+  });
 }
 
 void NavierStokes::finish_step(const std::vector<double>& phi)
 {
   modes_.add(phi, p_);
-  const double factor = dt_ / (fluid_.density * level_.h);
-  for (int p = 0; p < level_.local_count(); ++p)
-    for (int c = 0; c < 3; ++c) {
-      const IndexBox box = faces_of(level_.local_box(p), c);
-      const std::ptrdiff_t s = p_[p].stride(c);
-      for_each_row(box, [&](int j, int k) {
-        correct_row(u_new_(p, c).at(box.lo[0], j, k), p_[p].at(box.lo[0], j, k), factor, s, box.size(0));
-      });
-    }
+  for (std::size_t l = 0; l < u_.size(); ++l) {
+    const Level& level = grid_.levels()[l];
+    const double factor = dt_ / (fluid_.density * level.h);
+    for (int p = 0; p < level.local_count(); ++p)
+      for (int c = 0; c < 3; ++c) {
+        const IndexBox box = faces_of(level.local_box(p), c);
+        const std::ptrdiff_t s = p_[l][p].stride(c);
+        for_each_row(box, [&](int j, int k) {
+          correct_row(u_new_[l](p, c).at(box.lo[0], j, k), p_[l][p].at(box.lo[0], j, k), factor, s,
+                      box.size(0));
+        });
+      }
+  }
+  average_down(u_new_);
   fill_velocity_ghosts(u_new_);
   std::swap(u_, u_new_);
 }

@@ -3,9 +3,9 @@
 //     u*      = u^n + dt [ 3/2 G^n - 1/2 G^{n-1} + f/rho ]        begin_step (variable-step weights)
 //     lap p   = (rho/dt) div u*,  p = p_k on opening k            solve_pressure -> flows Q0
 //     u^{n+1} = u* - (dt/rho) grad p                              finish_step(phi)
-// The whole pressure is solved for in each step, so there is no splitting error; the superposition of opening
-// modes lets the coupling correct the opening pressures by phi between the last two calls. All calls are
-// collective.
+// on all levels with one dt; coarse faces under finer ones hold the mean of these. The whole pressure is solved for in
+// each step, so there is no splitting error; the superposition of opening modes lets the coupling correct the opening
+// pressures by phi between the last two calls. Fields have one entry per level. All calls are collective.
 #pragma once
 
 #include "ib3d/fluid/momentum.hpp"
@@ -15,10 +15,10 @@ namespace valsalva::ib3d {
 
 class NavierStokes {
  public:
-  NavierStokes(const Level& level, std::vector<Opening> openings, const FluidParameters& fluid,
+  NavierStokes(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
                const PressureOptions& pressure);
 
-  /// u* from u^n; f in dyn/cm^3 on the faces.
+  /// u* from u^n; f in dyn/cm^3 on the faces of the finest level, complete on the owned ones; none on the others.
   void begin_step(const MacField& f, double dt);
   /// Solves for p with these mean opening pressures (dyn/cm^2, one per opening) and returns the flows (ml/s,
   /// outward) that would result. Where the profile is not uniform the pressure on a face is lowered by
@@ -29,37 +29,41 @@ class NavierStokes {
   /// current.
   void finish_step(const std::vector<double>& phi);
 
-  const MacField& u() const { return u_; }             ///< u^n, ghosts filled
-  const MacField& u_before() const { return u_new_; }  ///< u^{n-1} after finish_step, ghosts filled
-  const CellField<double>& p() const { return p_; }
+  const CompositeMac& u() const { return u_; }             ///< u^n, ghosts filled
+  const CompositeMac& u_before() const { return u_new_; }  ///< u^{n-1} after finish_step, ghosts filled
+  const CompositeCells<double>& p() const { return p_; }
   const KrylovReport& pressure_report() const { return report_; }
   /// rms and largest divergence (1/s) that the last pressure solve left behind.
   double divergence_rms() const { return report_.final_rms * dt_ / fluid_.density; }
   double divergence_max() const { return report_.final_max * dt_ / fluid_.density; }
 
-  const Level& level() const { return level_; }
+  const Hierarchy& grid() const { return grid_; }
   const std::vector<Opening>& openings() const { return openings_; }
   const FluidParameters& fluid() const { return fluid_; }
   const OpeningModes& modes() const { return modes_; }
 
-  /// Replaces the velocity (all owned faces), forgetting the history: for initial conditions and tests.
-  void set_velocity(const MacField& u);
+  /// Largest of |u|/h + |v|/h + |w|/h over the cells (1/s): the CFL number per unit of time. Local to the rank.
+  double courant_rate() const;
+  /// Replaces the velocity (all faces of the local patches), forgetting the history: for initial conditions and tests.
+  void set_velocity(const CompositeMac& u);
 
  private:
   void prescribe(const std::vector<double>& opening_pressure);
-  void pressure_residual();
-  void fill_velocity_ghosts(MacField& u) const;
+  void average_down(CompositeMac& u);
+  void fill_velocity_ghosts(CompositeMac& u);
 
-  Level level_;
+  Hierarchy grid_;
   std::vector<Opening> openings_;
   FluidParameters fluid_;
+  std::vector<CoarseFine> transfers_;
+  OpeningFaces opening_faces_;
   PressureSolver solver_;
   OpeningModes modes_;
-  Halo faces_;         ///< all ghosts of a velocity
-  Halo shared_faces_;  ///< only the faces that two patches share, from their owner
-  MacField u_, u_new_, rate_;
-  CellField<double> p_, p_before_, residual_;
-  BoundaryPressure p_b_;
+  std::vector<Halo> faces_;         ///< all ghosts of a velocity, per level
+  std::vector<Halo> shared_faces_;  ///< only the faces that two patches share, from their owner
+  CompositeMac u_, u_new_, rate_;
+  CompositeCells<double> p_, p_before_;
+  std::vector<BoundaryPressure> p_b_;
   KrylovReport report_;
   double dt_ = 0, dt_before_ = 0;
 };

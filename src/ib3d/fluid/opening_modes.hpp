@@ -16,16 +16,15 @@ namespace valsalva::ib3d {
 class OpeningModes {
  public:
   /// Solves for all psi_k. Collective.
-  OpeningModes(const Level& level, const std::vector<Opening>& openings, PressureSolver& solver,
-               double density);
+  OpeningModes(const OpeningFaces& openings, PressureSolver& solver, double density);
 
   /// W, openings x openings, in cm^4/g x cm (ml/s per s per dyn/cm^2). Singular when walls close the rest.
   const Eigen::MatrixXd& conductance() const { return conductance_; }
   /// p += sum_k phi_k psi_k, ghosts included. phi in dyn/cm^2.
-  void add(const std::vector<double>& phi, CellField<double>& p) const;
+  void add(const std::vector<double>& phi, CompositeCells<double>& p) const;
 
  private:
-  std::vector<CellField<double>> psi_;
+  std::vector<CompositeCells<double>> psi_;  ///< per opening
   Eigen::MatrixXd conductance_;
 };
 

@@ -33,51 +33,78 @@ bool in_disc(const Opening& opening, const Level& level, int a, int b)
   return x * x + y * y <= opening.radius * opening.radius;
 }
 
-std::vector<SidePlane<float>> pressure_shares(const Level& level, int local_patch,
+namespace {
+
+/// First cell inside boundary face (a, b) of a side.
+Int3 cell_at(const Level& level, int side, int a, int b)
+{
+  const int d = side_direction(side);
+  Int3 cell{};
+  cell[static_cast<std::size_t>(d)] = side_is_high(side) ? level.box.hi[static_cast<std::size_t>(d)] - 1
+                                                         : level.box.lo[static_cast<std::size_t>(d)];
+  cell[d == 0 ? 1 : 0] = a;
+  cell[d == 2 ? 1 : 2] = b;
+  return cell;
+}
+
+float share(const Hierarchy& grid, int l, int side, int a, int b, const std::vector<Opening>& openings)
+{
+  const Level& level = grid.level(l);
+  if (level.domain.sides[static_cast<std::size_t>(side)] == SideKind::open) return 1.0f;
+  if (grid.covered(l, cell_at(level, side, a, b))) {
+    float sum = 0;
+    for (int m = 0; m < 4; ++m) sum += share(grid, l + 1, side, 2 * a + (m & 1), 2 * b + (m >> 1), openings);
+    return std::min(1.0f, 1.25f * 0.25f * sum);
+  }
+  for (const Opening& o : openings)
+    if (o.side == side && in_disc(o, level, a, b)) return 1.0f;
+  return 0.0f;
+}
+
+}  // namespace
+
+std::vector<SidePlane<float>> pressure_shares(const Hierarchy& grid, int l, int local_patch,
                                               const std::vector<Opening>& openings)
 {
   std::vector<SidePlane<float>> planes;
+  const Level& level = grid.level(l);
   const IndexBox& cells = level.local_box(local_patch);
   for (int side = 0; side < kSideCount; ++side) {
     if (!level.at_side(cells, side)) continue;
-    const bool open = level.domain.sides[static_cast<std::size_t>(side)] == SideKind::open;
-    SidePlane<float> plane(cells, side, open ? 1.0f : 0.0f);
-    for (const Opening& o : openings)
-      if (o.side == side)
-        for (int b = plane.lo2; b < plane.lo2 + plane.n2; ++b)
-          for (int a = plane.lo1; a < plane.lo1 + plane.n1; ++a)
-            if (in_disc(o, level, a, b)) plane(a, b) = 1.0f;
+    SidePlane<float> plane(cells, side, 0.0f);
+    for (int b = plane.lo2; b < plane.lo2 + plane.n2; ++b)
+      for (int a = plane.lo1; a < plane.lo1 + plane.n1; ++a)
+        plane(a, b) = share(grid, l, side, a, b, openings);
     planes.push_back(std::move(plane));
   }
   return planes;
 }
 
-double disc_area(const Opening& opening, const Level& level)
+OpeningFaces::OpeningFaces(const Hierarchy& grid, const std::vector<Opening>& openings) : comm_(grid.comm())
 {
-  long faces = 0;
-  for (int b = level.box.lo[1]; b < level.box.hi[1]; ++b)
-    for (int a = level.box.lo[0]; a < level.box.hi[0]; ++a) faces += in_disc(opening, level, a, b) ? 1 : 0;
-  return static_cast<double>(faces) * level.h * level.h;
-}
-
-std::vector<double> flow_through(const std::vector<Opening>& openings, const Level& level, const MacField& u)
-{
-  std::vector<double> flow(openings.size(), 0.0);
-  for (std::size_t m = 0; m < openings.size(); ++m) {
-    const Opening& o = openings[m];
+  for (const Level& level : grid.levels()) h_.push_back(level.h);
+  for (const Opening& o : openings) {
     const bool high = side_is_high(o.side);
-    for (int p = 0; p < level.local_count(); ++p) {
-      const IndexBox& cells = level.local_box(p);
-      if (!level.at_side(cells, o.side)) continue;
+    outward_.push_back(high ? 1.0 : -1.0);
+    std::vector<Face>& faces = faces_.emplace_back();
+    double area = 0;
+    for (int l = 0; l < grid.level_count(); ++l) {
+      const Level& level = grid.level(l);
       const int k = high ? level.box.hi[2] : level.box.lo[2];
-      for (int j = cells.lo[1]; j < cells.hi[1]; ++j)
-        for (int i = cells.lo[0]; i < cells.hi[0]; ++i)
-          if (in_disc(o, level, i, j)) flow[m] += u(p, 2)(i, j, k);
+      for (int p = 0; p < level.local_count(); ++p) {
+        const IndexBox& cells = level.local_box(p);
+        if (!level.at_side(cells, o.side)) continue;
+        for (int j = cells.lo[1]; j < cells.hi[1]; ++j)
+          for (int i = cells.lo[0]; i < cells.hi[0]; ++i) {
+            if (!in_disc(o, level, i, j) || grid.covered(l, cell_at(level, o.side, i, j))) continue;
+            faces.push_back({l, p, i, j, k});
+            area += level.h * level.h;
+          }
+      }
     }
-    flow[m] *= (high ? 1.0 : -1.0) * level.h * level.h;
+    area_.push_back(area);
   }
-  MPI_Allreduce(MPI_IN_PLACE, flow.data(), static_cast<int>(flow.size()), MPI_DOUBLE, MPI_SUM, level.comm);
-  return flow;
+  MPI_Allreduce(MPI_IN_PLACE, area_.data(), static_cast<int>(area_.size()), MPI_DOUBLE, MPI_SUM, comm_);
 }
 
 }  // namespace valsalva::ib3d

@@ -40,18 +40,56 @@ struct SidePlane {
   std::size_t index(int a, int b) const { return static_cast<std::size_t>((b - lo2) * n1 + (a - lo1)); }
 };
 
-/// Share theta of prescribed pressure on each boundary face of the patch: 0 wall, 1 disc or open side.
-/// Only sides at the domain's boundary that are not periodic appear.
-std::vector<SidePlane<float>> pressure_shares(const Level& level, int local_patch,
-                                              const std::vector<Opening>& openings);
-
 /// Whether boundary face (a, b) of the side lies in the opening's disc (by its centre).
 bool in_disc(const Opening& opening, const Level& level, int a, int b);
 
-/// Area (cm^2) of the faces that make up the opening's disc on this level.
-double disc_area(const Opening& opening, const Level& level);
+/// Share theta of prescribed pressure on each boundary face of a local patch of level l: 0 wall, 1 disc or open
+/// side; under finer faces 1.25 x the mean of the four, at most 1, so that a small disc does not vanish.
+/// Only sides at the domain's boundary that are not periodic appear.
+std::vector<SidePlane<float>> pressure_shares(const Hierarchy& grid, int l, int local_patch,
+                                              const std::vector<Opening>& openings);
 
-/// Volume flow (ml/s) through every opening, positive out of the domain. Collective.
-std::vector<double> flow_through(const std::vector<Opening>& openings, const Level& level, const MacField& u);
+/// The boundary faces of this rank that make up the openings' discs, none of them under a finer level.
+class OpeningFaces {
+ public:
+  struct Face {
+    int level, patch;  ///< patch: local number
+    int i, j, k;       ///< of the face normal to z
+  };
+  OpeningFaces(const Hierarchy& grid, const std::vector<Opening>& openings);
+
+  int count() const { return static_cast<int>(faces_.size()); }
+  const std::vector<Face>& of(std::size_t opening) const { return faces_[opening]; }
+  /// cm^2.
+  double area(std::size_t opening) const { return area_[opening]; }
+  /// Volume flow (ml/s) through every opening, positive out of the domain, for the velocity (cm/s) that w(face)
+  /// gives along z. Collective.
+  template <class W>
+  std::vector<double> flow_of(W&& w) const;
+  std::vector<double> flow(const CompositeMac& u) const
+  {
+    return flow_of(
+        [&](const Face& f) { return u[static_cast<std::size_t>(f.level)](f.patch, 2)(f.i, f.j, f.k); });
+  }
+
+ private:
+  MPI_Comm comm_;
+  std::vector<double> h_;  ///< of every level
+  std::vector<double> outward_, area_;
+  std::vector<std::vector<Face>> faces_;
+};
+
+template <class W>
+std::vector<double> OpeningFaces::flow_of(W&& w) const
+{
+  std::vector<double> flow(faces_.size(), 0.0);
+  for (std::size_t m = 0; m < faces_.size(); ++m)
+    for (const Face& f : faces_[m]) {
+      const double h = h_[static_cast<std::size_t>(f.level)];
+      flow[m] += outward_[m] * h * h * w(f);
+    }
+  MPI_Allreduce(MPI_IN_PLACE, flow.data(), static_cast<int>(flow.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  return flow;
+}
 
 }  // namespace valsalva::ib3d

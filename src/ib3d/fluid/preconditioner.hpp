@@ -1,5 +1,5 @@
-// What flexible CG needs of a preconditioner of the pressure problem: z ~ A^{-1} (scale r), with A = 6 - neighbours
-// (no 1/h^2). scale r is O(1), so single precision inside is safe.
+// What flexible CG needs of a preconditioner of the pressure problem: z ~ A^{-1} r on all levels, A as in
+// composite_pressure.hpp.
 #pragma once
 
 #include "ib3d/grid/fields.hpp"
@@ -9,9 +9,9 @@ namespace valsalva::ib3d {
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
-  /// z = approximate solution of A z = scale r; ghosts of r are not read, those of z are left undefined.
-  /// Collective.
-  virtual void apply(const CellField<double>& r, double scale, CellField<float>& z) = 0;
+  /// z = approximate solution of A z = r; r is zero on covered cells, z is left with any value there and in its
+  /// ghosts. Collective.
+  virtual void apply(const CompositeCells<float>& r, CompositeCells<float>& z) = 0;
 };
 
 }  // namespace valsalva::ib3d

@@ -46,8 +46,8 @@ void fill_side(const Level& level, const SidePlane<float>& reflection, Array3<T>
 }
 
 /// Adds 2 theta p_b on the cells' ghosts of one side.
-void add_prescribed(const Level& level, const SidePlane<float>& theta, const SidePlane<double>& p_b,
-                    Array3<double>& p)
+void add_to_side(const Level& level, const SidePlane<float>& theta, const SidePlane<double>& p_b,
+                 Array3<double>& p)
 {
   const auto dd = static_cast<std::size_t>(side_direction(theta.side));
   Int3 at{};
@@ -80,10 +80,11 @@ std::vector<SidePlane<float>> reflections(const std::vector<SidePlane<float>>& s
 
 }  // namespace
 
-PressureGrid::PressureGrid(const Level& level, const std::vector<Opening>& openings) : level_(level)
+PressureGrid::PressureGrid(const Hierarchy& grid, int l, const std::vector<Opening>& openings)
+    : level_(grid.level(l))
 {
-  for (int p = 0; p < level.local_count(); ++p) {
-    shares_.push_back(pressure_shares(level, p, openings));
+  for (int p = 0; p < level_.local_count(); ++p) {
+    shares_.push_back(pressure_shares(grid, l, p, openings));
     reflections_.push_back(reflections(shares_.back()));
   }
   singular_ = no_pressure_anywhere(level_, shares_);
@@ -135,30 +136,19 @@ void PressureGrid::fill_ghosts(CellField<T>& p) const
 template void PressureGrid::fill_ghosts(CellField<double>&) const;
 template void PressureGrid::fill_ghosts(CellField<float>&) const;
 
-void PressureGrid::fill_ghosts(CellField<double>& p, const BoundaryPressure& p_b) const
+void PressureGrid::add_prescribed(CellField<double>& p, const BoundaryPressure& p_b) const
 {
-  fill_ghosts(p);
   for (int patch = 0; patch < p.patch_count(); ++patch)
     for (std::size_t s = 0; s < shares(patch).size(); ++s)
-      add_prescribed(level_, shares(patch)[s], p_b[static_cast<std::size_t>(patch)][s], p[patch]);
+      add_to_side(level_, shares(patch)[s], p_b[static_cast<std::size_t>(patch)][s], p[patch]);
 }
 
-double dot(const Level& level, const CellField<double>& a, const CellField<double>& b)
+void set_boundary_pressure(std::vector<BoundaryPressure>& p_b, const OpeningFaces::Face& face, double value)
 {
-  double sum = 0;
-  for (int p = 0; p < level.local_count(); ++p) {
-    const IndexBox& box = level.local_box(p);
-    for_each_row(box, [&](int j, int k) {
-      const double* x = a[p].at(box.lo[0], j, k);
-      const double* y = b[p].at(box.lo[0], j, k);
-      double row = 0;
-#pragma omp simd reduction(+ : row)
-      for (int i = 0; i < box.size(0); ++i) row += x[i] * y[i];
-      sum += row;
-    });
-  }
-  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, level.comm);
-  return sum;
+  const int side = face.k == 0 ? 4 : 5;
+  for (SidePlane<double>& plane :
+       p_b[static_cast<std::size_t>(face.level)][static_cast<std::size_t>(face.patch)])
+    if (plane.side == side) plane(face.i, face.j) = value;
 }
 
 }  // namespace valsalva::ib3d

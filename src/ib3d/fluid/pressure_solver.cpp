@@ -7,23 +7,31 @@
 
 namespace valsalva::ib3d {
 
-PressureSolver::PressureSolver(const Level& level, const std::vector<Opening>& openings,
-                               const PressureOptions& options)
-    : options_(options), grid_(std::make_unique<PressureGrid>(level, openings))
+PressureSolver::PressureSolver(const Hierarchy& grid, const std::vector<Opening>& openings,
+                               const PressureOptions& options, std::vector<CoarseFine>& transfers)
+    : options_(options), problem_(grid, openings, transfers)
 {
   if (options.solver == "multilevel")
-    preconditioner_ = std::make_unique<Multilevel>(*grid_);
+    preconditioner_ = std::make_unique<Multilevel>(problem_);
+  else if (options.solver == "pfmg" && grid.level_count() > 1)
+    throw CaseError("pressure.solver",
+                    "is \"pfmg\", which knows one level only; use \"multilevel\" or grid.levels = 1");
   else if (options.solver == "pfmg")
-    preconditioner_ = std::make_unique<HyprePfmg>(*grid_, 1);
+    preconditioner_ = std::make_unique<HyprePfmg>(problem_.grid(0), 1);
   else
     throw CaseError("pressure.solver",
                     fmt::format("is \"{}\"; known solvers are \"multilevel\" and \"pfmg\"", options.solver));
-  krylov_ = std::make_unique<FlexibleCg>(*grid_, *preconditioner_);
+  krylov_ = std::make_unique<FlexibleCg>(problem_, *preconditioner_);
 }
 
-KrylovReport PressureSolver::solve(CellField<double>& r, CellField<double>& p, double tolerance_rms)
+KrylovReport PressureSolver::solve(CompositeCells<double>& p, const std::vector<BoundaryPressure>& p_b,
+                                   const CompositeMac* u, double source, double tolerance_rms)
 {
-  return krylov_->solve(r, p, tolerance_rms, options_.max_iterations);
+  const KrylovReport report = krylov_->solve(
+      p, [&](CompositeCells<float>& r) { problem_.residual(p, p_b, u, source, r); }, tolerance_rms,
+      options_.max_iterations);
+  problem_.fill_ghosts(p, p_b);
+  return report;
 }
 
 }  // namespace valsalva::ib3d

@@ -1,5 +1,5 @@
-// The pressure problem of one grid with its solver, chosen by name: "multilevel" (our V-cycle with hypre at
-// the base) or "pfmg" (hypre's PFMG, one cycle per iteration), both inside flexible CG.
+// The pressure problem with its solver, chosen by name: "multilevel" (our V-cycle over all levels with hypre at the
+// base) or, on one level, "pfmg" (hypre's PFMG, one cycle per iteration), both inside flexible CG.
 #pragma once
 
 #include <memory>
@@ -17,17 +17,21 @@ struct PressureOptions {
 
 class PressureSolver {
  public:
-  /// Collective. Throws CaseError("pressure.solver") for an unknown name.
-  PressureSolver(const Level& level, const std::vector<Opening>& openings, const PressureOptions& options);
-  const PressureGrid& grid() const { return *grid_; }
-  /// Improves p until rms(r) <= tolerance_rms; r enters and leaves as the residual (see FlexibleCg).
-  /// Collective.
-  KrylovReport solve(CellField<double>& r, CellField<double>& p, double tolerance_rms);
+  /// Throws CaseError("pressure.solver") for an unknown name, or "pfmg" with refined levels. `transfers` must outlive
+  /// the object. Collective.
+  PressureSolver(const Hierarchy& grid, const std::vector<Opening>& openings, const PressureOptions& options,
+                 std::vector<CoarseFine>& transfers);
+  CompositePressure& problem() { return problem_; }
+  const CompositePressure& problem() const { return problem_; }
+  /// Improves p until rms(lap p - source div u) <= tolerance_rms on the valid cells, with the boundary pressures p_b;
+  /// u may be null. Leaves the ghosts of p filled. Collective.
+  KrylovReport solve(CompositeCells<double>& p, const std::vector<BoundaryPressure>& p_b,
+                     const CompositeMac* u, double source, double tolerance_rms);
   const PressureOptions& options() const { return options_; }
 
  private:
   PressureOptions options_;
-  std::unique_ptr<PressureGrid> grid_;
+  CompositePressure problem_;
   std::unique_ptr<Preconditioner> preconditioner_;
   std::unique_ptr<FlexibleCg> krylov_;
 };

@@ -3,6 +3,8 @@
 // sy, sz: strides (in values) to the neighbours along y and z.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace valsalva::ib3d {
@@ -14,29 +16,51 @@ inline T neighbours(const T* c, std::ptrdiff_t i, std::ptrdiff_t sy, std::ptrdif
   return (c[i - 1] + c[i + 1]) + (c[i - sy] + c[i + sy]) + (c[i - sz] + c[i + sz]);
 }
 
-/// out = q + now G + before g + force f,  G = convection div + diffusion (neighbours - 6 q); then g = G.
+/// out = q + now G + before g,  G = convection div + diffusion (neighbours - 6 q); then g = G.
 inline void momentum_row(double* __restrict out, double* __restrict g, const double* __restrict q,
-                         const double* __restrict div, const double* __restrict f, double convection,
-                         double diffusion, double now, double before, double force, std::ptrdiff_t sy,
-                         std::ptrdiff_t sz, int n)
+                         const double* __restrict div, double convection, double diffusion, double now,
+                         double before, std::ptrdiff_t sy, std::ptrdiff_t sz, int n)
 {
   for (int i = 0; i < n; ++i) {
     const double rate = convection * div[i] + diffusion * (neighbours(q, i, sy, sz) - 6 * q[i]);
-    out[i] = q[i] + now * rate + before * g[i] + force * f[i];
+    out[i] = q[i] + now * rate + before * g[i];
     g[i] = rate;
   }
 }
 
-/// r = lap (neighbours - 6 c) - source (x[i+1] - x[i] + y[i+sy] - y[i] + z[i+sz] - z[i]), for faces with strides fy, fz.
-inline void pressure_residual_row(double* __restrict r, const double* __restrict c,
-                                  const double* __restrict x, const double* __restrict y,
-                                  const double* __restrict z, double lap, double source, std::ptrdiff_t sy,
-                                  std::ptrdiff_t sz, std::ptrdiff_t fy, std::ptrdiff_t fz, int n)
+/// out += a x.
+inline void add_row(double* __restrict out, const double* __restrict x, double a, int n)
+{
+  for (int i = 0; i < n; ++i) out[i] += a * x[i];
+}
+
+/// p, before <- p + ratio (p - before), p.
+inline void extrapolate_row(double* __restrict p, double* __restrict before, double ratio, std::size_t n)
+{
+  for (std::size_t i = 0; i < n; ++i) {
+    const double guess = p[i] + ratio * (p[i] - before[i]);
+    before[i] = p[i];
+    p[i] = guess;
+  }
+}
+
+/// r = neighbours - 6 c - source (x[i+1] - x[i] + y[i+fy] - y[i] + z[i+fz] - z[i]), for faces with strides fy, fz.
+inline void pressure_residual_row(float* __restrict r, const double* __restrict c, const double* __restrict x,
+                                  const double* __restrict y, const double* __restrict z, double source,
+                                  std::ptrdiff_t sy, std::ptrdiff_t sz, std::ptrdiff_t fy, std::ptrdiff_t fz,
+                                  int n)
 {
   for (int i = 0; i < n; ++i) {
     const double div = (x[i + 1] - x[i]) + (y[i + fy] - y[i]) + (z[i + fz] - z[i]);
-    r[i] = lap * (neighbours(c, i, sy, sz) - 6 * c[i]) - source * div;
+    r[i] = static_cast<float>((neighbours(c, i, sy, sz) - 6 * c[i]) - source * div);
   }
+}
+
+/// r = neighbours - 6 c.
+inline void laplacian_row(float* __restrict r, const double* __restrict c, std::ptrdiff_t sy,
+                          std::ptrdiff_t sz, int n)
+{
+  for (int i = 0; i < n; ++i) r[i] = static_cast<float>(neighbours(c, i, sy, sz) - 6 * c[i]);
 }
 
 /// u -= factor (p[i] - p[i - s]).
@@ -46,27 +70,26 @@ inline void correct_row(double* __restrict u, const double* __restrict p, double
   for (int i = 0; i < n; ++i) u[i] -= factor * (p[i] - p[i - s]);
 }
 
-/// to = a from.
-template <class To, class From>
-inline void scale_row(To* __restrict to, const From* __restrict from, double a, int n)
+/// d = z + b d.
+inline void direction_row(float* __restrict d, const float* __restrict z, float b, int n)
 {
-  for (int i = 0; i < n; ++i) to[i] = static_cast<To>(a * from[i]);
-}
-
-/// d = a z + b d.
-inline void direction_row(float* __restrict d, const float* __restrict z, double a, double b, int n)
-{
-  for (int i = 0; i < n; ++i) d[i] = static_cast<float>(a * z[i] + b * d[i]);
+  for (int i = 0; i < n; ++i) d[i] = z[i] + b * d[i];
 }
 
 struct TwoSums {
   double first = 0, second = 0;
+  TwoSums& operator+=(const TwoSums& s)
+  {
+    first += s.first;
+    second += s.second;
+    return *this;
+  }
 };
 
-/// Sums of z r and z y.
-inline TwoSums two_products_row(const float* z, const double* r, const double* y, int n)
+/// Sums of z r and z y. Rows are short: within one, single precision does.
+inline TwoSums two_products_row(const float* z, const float* r, const float* y, int n)
 {
-  double zr = 0, zy = 0;
+  float zr = 0, zy = 0;
 #pragma omp simd reduction(+ : zr, zy)
   for (int i = 0; i < n; ++i) {
     zr += z[i] * r[i];
@@ -75,36 +98,42 @@ inline TwoSums two_products_row(const float* z, const double* r, const double* y
   return {zr, zy};
 }
 
-/// ad = scale (6 d - neighbours); sums of d ad and d r.
-inline TwoSums apply_row(double* __restrict ad, const float* __restrict d, const double* __restrict r,
-                         double scale, std::ptrdiff_t sy, std::ptrdiff_t sz, int n)
+/// y = 6 d - neighbours; sums of d y and d r.
+inline TwoSums apply_row(float* __restrict y, const float* __restrict d, const float* __restrict r,
+                         std::ptrdiff_t sy, std::ptrdiff_t sz, int n)
 {
-  double dad = 0, dr = 0;
-#pragma omp simd reduction(+ : dad, dr)
+  float dy = 0, dr = 0;
+#pragma omp simd reduction(+ : dy, dr)
   for (int i = 0; i < n; ++i) {
-    const double c = d[i];
-    const double sum =
-        (double{d[i - 1]} + d[i + 1]) + (double{d[i - sy]} + d[i + sy]) + (double{d[i - sz]} + d[i + sz]);
-    const double y = scale * (6 * c - sum);
-    ad[i] = y;
-    dad += c * y;
-    dr += c * r[i];
+    const float a = 6 * d[i] - neighbours(d, i, sy, sz);
+    y[i] = a;
+    dy += d[i] * a;
+    dr += d[i] * r[i];
   }
-  return {dad, dr};
+  return {dy, dr};
 }
 
-/// x += alpha d, r -= alpha ad; returns the sum of r^2.
-inline double update_row(double* __restrict x, double* __restrict r, const float* __restrict d,
-                         const double* __restrict ad, double alpha, int n)
+/// x += alpha d, r -= alpha y; returns the sum of r^2.
+inline double update_row(double* __restrict x, float* __restrict r, const float* __restrict d,
+                         const float* __restrict y, float alpha, int n)
 {
-  double square = 0;
+  float square = 0;
 #pragma omp simd reduction(+ : square)
   for (int i = 0; i < n; ++i) {
-    x[i] += alpha * d[i];
-    r[i] -= alpha * ad[i];
+    x[i] += static_cast<double>(alpha * d[i]);
+    r[i] -= alpha * y[i];
     square += r[i] * r[i];
   }
   return square;
+}
+
+/// max |r|.
+inline float largest_in_row(const float* r, int n)
+{
+  float m = 0;
+#pragma omp simd reduction(max : m)
+  for (int i = 0; i < n; ++i) m = std::max(m, std::abs(r[i]));
+  return m;
 }
 
 }  // namespace valsalva::ib3d

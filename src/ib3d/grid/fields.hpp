@@ -5,9 +5,9 @@
 //   on
 //               the faces normal to d, face index i being the low face of cell i
 // All arrays of a patch have the same shape (the box grown by the ghosts, one more at the high end), so that
-// one linear index serves the three components and the cells in the kernels. Ghosts are valid only after
-// `Halo::fill` and the boundary fill. A patch owns its low faces; its high faces belong to the neighbour, or
-// to itself at a domain side that is not periodic.
+// one linear index serves the three components and the cells in the kernels. Ghosts are valid only after they
+// have been filled. A patch owns its low faces; its high faces belong to the neighbour, or to itself where there
+// is none.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@
 
 namespace valsalva::ib3d {
 
-/// Ghost layers of velocities: 2 for the delta support and the limited fluxes, 1 for drifting nodes.
-inline constexpr int kMacGhosts = 3;
+/// Ghost layers of velocities: 4 for the widest flux (xsPPM7); 2 for the delta support and 1 for drifting nodes.
+inline constexpr int kMacGhosts = 4;
 
 template <class T>
 class Array3 {
@@ -110,10 +110,50 @@ inline IndexBox faces_of(const IndexBox& cells, int d)
   return cells.extended_high(d, 1);
 }
 
-/// The faces normal to d that the patch owns (see above).
-inline IndexBox owned_faces(const Level& level, const IndexBox& cells, int d)
+/// The faces normal to d that a patch (number in level.patches) owns: its low faces, and those of its high faces
+/// that are no patch's low faces, at sides of the domain and of the level.
+inline std::vector<IndexBox> owned_faces(const Level& level, std::size_t patch, int d)
 {
-  return level.at_side(cells, 2 * d + 1) ? faces_of(cells, d) : cells;
+  const auto dd = static_cast<std::size_t>(d);
+  const IndexBox& cells = level.patches[patch].box;
+  IndexBox high = cells;
+  high.lo[dd] = cells.hi[dd];
+  high.hi[dd] = high.lo[dd] + 1;
+  std::vector<IndexBox> rest{high};
+  for_each_image(level, [&](const Int3& shift) {
+    for (const Patch& p : level.patches)
+      if (const IndexBox other = p.box.shifted(shift); other.lo[dd] == high.lo[dd])
+        rest = without(rest, other);
+  });
+  rest.insert(rest.begin(), cells);
+  return rest;
+}
+
+/// Calls f(i, j, k) for every face normal to d that local patch p owns.
+template <class F>
+void for_each_owned_face(const Level& level, int p, int d, F&& f)
+{
+  for (const IndexBox& b : owned_faces(level, level.number_of(p), d)) for_each_index(b, f);
+}
+
+/// One field per level, coarsest first.
+template <class T>
+using CompositeCells = std::vector<CellField<T>>;
+using CompositeMac = std::vector<MacField>;
+
+template <class T>
+CompositeCells<T> composite_cells(const Hierarchy& grid)
+{
+  CompositeCells<T> fields;
+  for (const Level& level : grid.levels()) fields.emplace_back(level);
+  return fields;
+}
+
+inline CompositeMac composite_faces(const Hierarchy& grid)
+{
+  CompositeMac fields;
+  for (const Level& level : grid.levels()) fields.emplace_back(level);
+  return fields;
 }
 
 }  // namespace valsalva::ib3d

@@ -5,20 +5,19 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "ib3d/grid/rank_regions.hpp"
 
 namespace valsalva::ib3d {
 
-namespace {
-
-/// Cells along each direction, or a CaseError that names spacings that would do.
-Int3 cells_of(const Domain& domain, double h)
+Int3 coarsest_cells(const Domain& domain, double h, int levels)
 {
+  const int block = kCoarsestBlockingFactor << (levels - 1);  // in cells of the finest level
   Int3 n{};
   for (std::size_t d = 0; d < 3; ++d) {
     const double length = domain.size[static_cast<int>(d)];
-    const double tiles = length / (kBlockingFactor * h);
+    const double tiles = length / (block * h);
     const int whole = std::max(1, static_cast<int>(std::lround(tiles)));
-    n[d] = kBlockingFactor * whole;
+    n[d] = kCoarsestBlockingFactor * whole;
     if (std::abs(tiles / whole - 1) > 0.005) {
       const int below = std::max(1, static_cast<int>(std::floor(tiles)));
       throw CaseError(
@@ -26,8 +25,8 @@ Int3 cells_of(const Domain& domain, double h)
           fmt::format(
               "is {:.6g} cm, which does not divide the box: {:.6g} cm along {} would be {:.4g} cells, and "
               "the number of cells must be a multiple of {}. Use {:.6g} or {:.6g} cm",
-              h, length, "xyz"[d], length / h, kBlockingFactor, length / (kBlockingFactor * below),
-              length / (kBlockingFactor * (below + 1))));
+              h, length, "xyz"[d], length / h, block, length / (block * below),
+              length / (block * (below + 1))));
     }
   }
   for (std::size_t d = 1; d < 3; ++d)
@@ -40,30 +39,12 @@ Int3 cells_of(const Domain& domain, double h)
   return n;
 }
 
-/// Halves the box again and again across its longest side (in tiles) until there are `count` boxes.
-void bisect(const IndexBox& box, int count, std::vector<IndexBox>& out)
+std::vector<int> Level::local_numbers() const
 {
-  if (count == 1) {
-    out.push_back(box);
-    return;
-  }
-  int d = 2;
-  for (int e : {1, 0})
-    if (box.size(e) > box.size(d)) d = e;
-  const auto dd = static_cast<std::size_t>(d);
-  const int tiles = box.size(d) / kBlockingFactor;
-  const int left_count = count / 2;
-  const int cut = static_cast<int>(std::lround(static_cast<double>(tiles) * left_count / count));
-  if (cut == 0 || cut == tiles)
-    throw CaseError("grid.finest_cm",
-                    fmt::format("leaves too few cells to share among {} boxes; run on fewer ranks", count));
-  IndexBox left = box, right = box;
-  left.hi[dd] = right.lo[dd] = box.lo[dd] + kBlockingFactor * cut;
-  bisect(left, left_count, out);
-  bisect(right, count - left_count, out);
+  std::vector<int> number(patches.size(), -1);
+  for (int p = 0; p < local_count(); ++p) number[number_of(p)] = p;
+  return number;
 }
-
-}  // namespace
 
 long Level::cell_count() const
 {
@@ -98,25 +79,55 @@ Level Level::coarsened() const
 }
 
 Hierarchy::Hierarchy(const Domain& domain, double h, MPI_Comm comm, int boxes)
+    : Hierarchy(domain, h, comm, Refinement{}, {}, boxes)
 {
-  const Int3 n = cells_of(domain, h);
+}
+
+Hierarchy::Hierarchy(const Domain& domain, double h, MPI_Comm comm, const Refinement& refinement,
+                     const std::vector<Vec3>& nodes, int boxes)
+{
+  const int levels = static_cast<int>(refinement.size()) + 1;
+  const Int3 n = coarsest_cells(domain, h, levels);
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
 
-  Level level;
-  level.h = domain.size[0] / n[0];
-  level.box = {{0, 0, 0}, n};
-  level.domain = domain;
-  level.comm = comm;
-  std::vector<IndexBox> cut;
-  bisect(level.box, std::max(boxes, ranks), cut);
-  for (std::size_t b = 0; b < cut.size(); ++b) {
-    const int owner = static_cast<int>(b * static_cast<std::size_t>(ranks) / cut.size());
-    if (owner == rank) level.local.push_back(static_cast<int>(b));
-    level.patches.push_back({cut[b], owner});
+  std::vector<LevelBoxes> all;
+  for (int l = 0; l < levels; ++l) {
+    const IndexBox whole{{0, 0, 0}, {n[0] << l, n[1] << l, n[2] << l}};
+    all.push_back({domain.size[0] / whole.size(0), l == 0 ? kCoarsestBlockingFactor : kBlockingFactor,
+                   l == 0 ? std::vector{whole} : refinement[static_cast<std::size_t>(l) - 1]});
+    Level level;
+    level.h = all.back().h;
+    level.box = whole;
+    level.domain = domain;
+    level.comm = comm;
+    levels_.push_back(std::move(level));
   }
-  levels_.push_back(std::move(level));
+  const int regions = std::max(boxes, ranks);
+  const RankRegions cuts(all, nodes, regions);
+  for (std::size_t l = 0; l < levels_.size(); ++l)
+    for (const RankRegions::Piece& piece : cuts.cut(all[l])) {
+      const int owner = static_cast<int>(static_cast<long>(piece.region) * ranks / regions);
+      if (owner == rank) levels_[l].local.push_back(static_cast<int>(levels_[l].patches.size()));
+      levels_[l].patches.push_back({piece.box, owner});
+    }
+}
+
+long Hierarchy::valid_cell_count() const
+{
+  long n = levels_[0].cell_count();
+  for (std::size_t l = 1; l < levels_.size(); ++l) n += levels_[l].cell_count() * 7 / 8;
+  return n;
+}
+
+bool Hierarchy::covered(int l, const Int3& cell) const
+{
+  if (l + 1 >= level_count()) return false;
+  const Int3 fine{2 * cell[0], 2 * cell[1], 2 * cell[2]};
+  for (const Patch& p : level(l + 1).patches)
+    if (p.box.contains(fine)) return true;
+  return false;
 }
 
 }  // namespace valsalva::ib3d

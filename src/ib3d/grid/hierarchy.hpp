@@ -1,6 +1,7 @@
 // The grid: levels of disjoint boxes (patches) of cells, each owned by one MPI rank; every rank holds the
-// same list. Level l has spacing h_0/2^l; the finest level covers every fibre node and its delta support.
-// Boxes are aligned to the blocking factor of 8 cells and are as large as the number of ranks allows.
+// same list. Level l has spacing h_0/2^l; level 0 covers the domain, the finest level every fibre node and its
+// delta support. Boxes are as large as the number of ranks allows, aligned to the blocking factor of 8 cells,
+// on level 0 of 4. Ranks are given regions of space, the same on all levels up to this alignment.
 #pragma once
 
 #include <mpi.h>
@@ -13,6 +14,7 @@
 namespace valsalva::ib3d {
 
 inline constexpr int kBlockingFactor = 8;
+inline constexpr int kCoarsestBlockingFactor = 4;
 
 /// What happens on one side of the domain. All sides allow no tangential velocity, except periodic ones.
 ///   wall      no penetration (discs of an `Opening` excepted)
@@ -54,10 +56,11 @@ struct Level {
   MPI_Comm comm = MPI_COMM_SELF;
 
   int local_count() const { return static_cast<int>(local.size()); }
-  const IndexBox& local_box(int p) const
-  {
-    return patches[static_cast<std::size_t>(local[static_cast<std::size_t>(p)])].box;
-  }
+  /// Number of local patch p in `patches`.
+  std::size_t number_of(int p) const { return static_cast<std::size_t>(local[static_cast<std::size_t>(p)]); }
+  const IndexBox& local_box(int p) const { return patches[number_of(p)].box; }
+  /// Local number of every patch, -1 where it is on another rank.
+  std::vector<int> local_numbers() const;
   long cell_count() const;
   /// Whether the box touches the side of the domain and the side is not periodic.
   bool at_side(const IndexBox& b, int side) const;
@@ -67,18 +70,50 @@ struct Level {
   Level coarsened() const;
 };
 
+/// Calls f(shift) for the images of a level's cells under its periodic sides, the identity included.
+template <class F>
+void for_each_image(const Level& level, F&& f)
+{
+  Int3 reach{};
+  for (int d = 0; d < 3; ++d) reach[static_cast<std::size_t>(d)] = level.domain.periodic(d) ? 1 : 0;
+  for_each_index({{-reach[0], -reach[1], -reach[2]}, {reach[0] + 1, reach[1] + 1, reach[2] + 1}},
+                 [&](int x, int y, int z) {
+                   f(Int3{x * level.box.size(0), y * level.box.size(1), z * level.box.size(2)});
+                 });
+}
+
+/// Boxes of the refined levels, in cells of each: refinement[l - 1] are those of level l.
+using Refinement = std::vector<std::vector<IndexBox>>;
+
 class Hierarchy {
  public:
   /// One level of spacing h (cm) covering the domain, cut into `boxes` boxes (at least one per rank).
-  /// Throws CaseError("grid.finest_cm") when h does not divide the domain into multiples of 8 cells (to 0.5
-  /// %).
+  /// Throws CaseError("grid.finest_cm") when h does not divide the domain into multiples of 4 cells of the
+  /// coarsest level (to 0.5 %).
   Hierarchy(const Domain& domain, double h, MPI_Comm comm, int boxes = 0);
+  /// Levels 0 to refinement.size() with spacing h on the finest. Each level's boxes must be disjoint, aligned, and
+  /// lie inside the next coarser level with the nesting buffer. A node costs as much as kNodeWeight cells when the
+  /// ranks' regions are chosen; `nodes` are positions in cm.
+  Hierarchy(const Domain& domain, double h, MPI_Comm comm, const Refinement& refinement,
+            const std::vector<Vec3>& nodes = {}, int boxes = 0);
 
   const Level& finest() const { return levels_.back(); }
   const std::vector<Level>& levels() const { return levels_; }
+  int level_count() const { return static_cast<int>(levels_.size()); }
+  const Level& level(int l) const { return levels_[static_cast<std::size_t>(l)]; }
+  MPI_Comm comm() const { return levels_[0].comm; }
+  const Domain& domain() const { return levels_[0].domain; }
+  /// Cells that no finer level covers.
+  long valid_cell_count() const;
+  /// Whether level l + 1 covers this cell of level l.
+  bool covered(int l, const Int3& cell) const;
 
  private:
   std::vector<Level> levels_;
 };
+
+/// Cells along each direction of the coarsest of `levels` levels, the finest of spacing h: or a CaseError that names
+/// spacings that would do.
+Int3 coarsest_cells(const Domain& domain, double h, int levels);
 
 }  // namespace valsalva::ib3d

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "common/vec3.hpp"
 
@@ -40,7 +41,15 @@ struct IndexBox {
   {
     return {{lo[0] / 2, lo[1] / 2, lo[2] / 2}, {hi[0] / 2, hi[1] / 2, hi[2] / 2}};
   }
+  /// The same box in cells half as large.
+  IndexBox refined() const { return {{2 * lo[0], 2 * lo[1], 2 * lo[2]}, {2 * hi[0], 2 * hi[1], 2 * hi[2]}}; }
 };
+
+/// floor(i/2), for negative indices too.
+constexpr int half_below(int i)
+{
+  return i >> 1;
+}
 
 inline IndexBox intersect(const IndexBox& a, const IndexBox& b)
 {
@@ -67,6 +76,37 @@ void for_each_row(const IndexBox& b, F&& f)
 {
   for (int k = b.lo[2]; k < b.hi[2]; ++k)
     for (int j = b.lo[1]; j < b.hi[1]; ++j) f(j, k);
+}
+
+/// What is left of a box without another one: at most six disjoint boxes.
+inline std::vector<IndexBox> without(IndexBox box, const IndexBox& hole)
+{
+  std::vector<IndexBox> rest;
+  if (box.empty()) return rest;
+  const IndexBox common = intersect(box, hole);
+  if (common.empty()) return {box};
+  for (std::size_t d : {2u, 1u, 0u}) {
+    if (common.lo[d] > box.lo[d]) {
+      rest.push_back(box);
+      rest.back().hi[d] = common.lo[d];
+    }
+    if (common.hi[d] < box.hi[d]) {
+      rest.push_back(box);
+      rest.back().lo[d] = common.hi[d];
+    }
+    box.lo[d] = common.lo[d];
+    box.hi[d] = common.hi[d];
+  }
+  return rest;
+}
+
+/// The same for a list of disjoint boxes.
+inline std::vector<IndexBox> without(const std::vector<IndexBox>& boxes, const IndexBox& hole)
+{
+  std::vector<IndexBox> rest;
+  for (const IndexBox& b : boxes)
+    for (const IndexBox& piece : without(b, hole)) rest.push_back(piece);
+  return rest;
 }
 
 }  // namespace valsalva::ib3d

@@ -1,6 +1,7 @@
 #include "ib3d/output/probes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace valsalva::ib3d {
@@ -21,43 +22,69 @@ struct Between {
   }
 };
 
+/// The finest level whose boxes hold the eight cells around a point, and their weights.
+struct Around {
+  int level;
+  std::array<Int3, 8> cell;
+  std::array<double, 8> weight;
+  Around(const Hierarchy& grid, const Vec3& x)
+  {
+    for (level = grid.level_count() - 1; level >= 0; --level) {
+      const Level& at = grid.level(level);
+      const Between b[3] = {{at, 0, x[0]}, {at, 1, x[1]}, {at, 2, x[2]}};
+      bool inside = true;
+      for (std::size_t c = 0; c < 8; ++c) {
+        weight[c] = 1;
+        for (std::size_t d = 0; d < 3; ++d) {
+          const bool upper = ((c >> d) & 1) != 0;
+          cell[c][d] = b[d].lower + (upper ? 1 : 0);
+          weight[c] *= upper ? b[d].upper_weight : 1 - b[d].upper_weight;
+        }
+        inside = inside && std::any_of(at.patches.begin(), at.patches.end(),
+                                       [&](const Patch& p) { return p.box.contains(cell[c]); });
+      }
+      if (inside) return;
+    }
+  }
+};
+
 }  // namespace
 
-std::vector<double> pressure_at(const Level& level, const CellField<double>& p, double x, double y,
+std::vector<double> pressure_at(const Hierarchy& grid, const CompositeCells<double>& p, double x, double y,
                                 const std::vector<double>& z)
 {
   std::vector<double> values(z.size(), 0.0);
-  const Between bx(level, 0, x), by(level, 1, y);
   for (std::size_t m = 0; m < z.size(); ++m) {
-    const Between bz(level, 2, z[m]);
-    for (int corner = 0; corner < 8; ++corner) {
-      const int a = corner & 1, b = (corner >> 1) & 1, c = corner >> 2;
-      const Int3 cell{bx.lower + a, by.lower + b, bz.lower + c};
-      const double weight = (a ? bx.upper_weight : 1 - bx.upper_weight) *
-                            (b ? by.upper_weight : 1 - by.upper_weight) *
-                            (c ? bz.upper_weight : 1 - bz.upper_weight);
+    const Around around(grid, Vec3{x, y, z[m]});
+    const Level& level = grid.level(around.level);
+    for (std::size_t c = 0; c < 8; ++c)
       for (int q = 0; q < level.local_count(); ++q)
-        if (level.local_box(q).contains(cell)) values[m] += weight * p[q](cell[0], cell[1], cell[2]);
-    }
+        if (const Int3& at = around.cell[c]; level.local_box(q).contains(at))
+          values[m] += around.weight[c] * p[static_cast<std::size_t>(around.level)][q](at[0], at[1], at[2]);
   }
   MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM,
-                level.comm);
+                grid.comm());
   return values;
 }
 
-double flow_through_disc(const Level& level, const MacField& u, double x, double y, double z, double r)
+double flow_through_disc(const Hierarchy& grid, const CompositeMac& u, double x, double y, double z, double r)
 {
-  const int k = static_cast<int>(std::lround(z / level.h));
   double flow = 0;
-  for (int q = 0; q < level.local_count(); ++q) {
-    const IndexBox box = owned_faces(level, level.local_box(q), 2);
-    if (k < box.lo[2] || k >= box.hi[2]) continue;
-    for (int j = box.lo[1]; j < box.hi[1]; ++j)
-      for (int i = box.lo[0]; i < box.hi[0]; ++i)
-        if (std::hypot((i + 0.5) * level.h - x, (j + 0.5) * level.h - y) <= r) flow += u(q, 2)(i, j, k);
+  for (int l = 0; l < grid.level_count(); ++l) {
+    const Level& level = grid.level(l);
+    const int k = static_cast<int>(std::lround(z / level.h));
+    for (int q = 0; q < level.local_count(); ++q) {
+      const IndexBox& box = level.local_box(q);
+      const bool last = k == level.box.hi[2] && k == box.hi[2];
+      if (!last && (k < box.lo[2] || k >= box.hi[2])) continue;
+      for (int j = box.lo[1]; j < box.hi[1]; ++j)
+        for (int i = box.lo[0]; i < box.hi[0]; ++i)
+          if (std::hypot((i + 0.5) * level.h - x, (j + 0.5) * level.h - y) <= r &&
+              !grid.covered(l, {i, j, last ? k - 1 : k}))
+            flow += level.h * level.h * u[static_cast<std::size_t>(l)](q, 2)(i, j, k);
+    }
   }
-  flow *= level.h * level.h;
-  MPI_Allreduce(MPI_IN_PLACE, &flow, 1, MPI_DOUBLE, MPI_SUM, level.comm);
+  MPI_Allreduce(MPI_IN_PLACE, &flow, 1, MPI_DOUBLE, MPI_SUM, grid.comm());
   return flow;
 }
 

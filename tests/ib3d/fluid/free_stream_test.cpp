@@ -14,7 +14,7 @@ double largest_difference(const Level& level, const MacField& a, const MacField&
   double m = 0;
   for (int p = 0; p < level.local_count(); ++p)
     for (int c = 0; c < 3; ++c)
-      for_each_index(owned_faces(level, level.local_box(p), c), [&](int i, int j, int k) {
+      for_each_owned_face(level, p, c, [&](int i, int j, int k) {
         m = std::max(m, std::abs(a(p, c)(i, j, k) - b(p, c)(i, j, k)));
       });
   return m;

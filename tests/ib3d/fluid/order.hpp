@@ -76,7 +76,7 @@ inline FlowErrors flow_errors(const ExactFlow& flow, int n)
   double mean = 0;
   const IndexBox& box = level.local_box(0);
   for (int c = 0; c < 3; ++c)
-    for_each_index(owned_faces(level, box, c), [&](int i, int j, int k) {
+    for_each_owned_face(level, 0, c, [&](int i, int j, int k) {
       u.push_back(fluid.u()(0, c)(i, j, k) - field(0, c)(i, j, k));
     });
   for_each_index(box, [&](int i, int j, int k) {

@@ -56,7 +56,7 @@ double sum_over_faces(const Level& level, const MacField& f, G&& g)
   double total = 0;
   for (int p = 0; p < level.local_count(); ++p)
     for (int c = 0; c < 3; ++c)
-      for_each_index(owned_faces(level, level.local_box(p), c), [&](int i, int j, int k) {
+      for_each_owned_face(level, p, c, [&](int i, int j, int k) {
         Vec3 x{(i + 0.5) * level.h, (j + 0.5) * level.h, (k + 0.5) * level.h};
         x[c] -= 0.5 * level.h;
         total += g(x, c, f(p, c)(i, j, k)) * std::pow(level.h, 3);
@@ -69,7 +69,7 @@ void fill_velocity(const Level& level, MacField& u)
 {
   for (int p = 0; p < level.local_count(); ++p)
     for (int c = 0; c < 3; ++c)
-      for_each_index(owned_faces(level, level.local_box(p), c), [&](int i, int j, int k) {
+      for_each_owned_face(level, p, c, [&](int i, int j, int k) {
         const Int3 at{i, j, k};
         const bool wall =
             c < 2 && (at[static_cast<std::size_t>(c)] == level.box.lo[static_cast<std::size_t>(c)] ||
@@ -134,7 +134,7 @@ void expect_adjoint(const Domain& domain, int boxes, double margin)
   double eulerian = 0;
   for (int p = 0; p < level.local_count(); ++p)
     for (int c = 0; c < 3; ++c)
-      for_each_index(owned_faces(level, level.local_box(p), c),
+      for_each_owned_face(level, p, c,
                      [&](int i, int j, int k) { eulerian += u(p, c)(i, j, k) * x.f(p, c)(i, j, k); });
   eulerian = sum(eulerian) * std::pow(level.h, 3);
   EXPECT_GT(std::abs(lagrangian), 0.1);

@@ -95,7 +95,7 @@ TEST(Halo, EveryGhostGetsTheValueOfItsOwner)
     for (int p = 0; p < level.local_count(); ++p)
       for (int c = 0; c < 3; ++c) {
         for_each_index(u(p, c).stored(), [&](int i, int j, int k) { u(p, c)(i, j, k) = 1e30; });
-        for_each_index(owned_faces(level, level.local_box(p), c), [&](int i, int j, int k) {
+        for_each_owned_face(level, p, c, [&](int i, int j, int k) {
           bool inside = true;
           u(p, c)(i, j, k) = value(i, j, k, c, inside);
         });
@@ -130,7 +130,7 @@ TEST(Halo, AccumulateIsTheTransposeOfFill)
     for (int p = 0; p < level.local_count(); ++p)
       for (int c = 0; c < 3; ++c) {
         filled(p, c).set_zero();
-        for_each_index(owned_faces(level, level.local_box(p), c),
+        for_each_owned_face(level, p, c,
                        [&](int i, int j, int k) { filled(p, c)(i, j, k) = u(p, c)(i, j, k); });
       }
     halo.fill(filled);

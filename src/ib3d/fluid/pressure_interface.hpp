@@ -1,0 +1,109 @@
+// The pressure across the edge of a refined level: second order in p and in its gradient.
+//   fine ghost     g = 8/15 c* + 2/3 p1 - 1/5 p2        p1 the fine cell at the edge, p2 the next one inward
+//   c*             coarse value at the height of the fine cell, s_a = +-1 its half along tangent a:
+//                  c0 + sum_a [ s_a/8 (c_{+a} - c_{-a}) + 1/32 (c_{+a} - 2 c0 + c_{-a}) ]
+//                     + s1 s2/64 (c_{++} - c_{+-} - c_{-+} + c_{--})
+//   coarse flux    the gradient on a coarse face at the edge is the mean over its four fine faces
+// (docs/scheme.md, section 3; interpolation after Minion 1996 and Martin & Colella 2000.)
+#pragma once
+
+#include "ib3d/grid/copy_plan.hpp"
+
+namespace valsalva::ib3d {
+
+class PressureInterface {
+ public:
+  PressureInterface(const Level& coarse, const Level& fine);
+
+  /// Takes 8/15 c* from coarse values with filled ghosts (their corners too). Collective.
+  template <class T>
+  void take_base(const CellField<T>& coarse);
+  void zero_base();
+  /// Fills the ghosts of the fine level at its edge from the base and the fine values.
+  template <class T>
+  void fill_ghosts(CellField<T>& fine) const;
+
+  /// Calls f(coarse patch, cell, step, sum) for each coarse cell outside the edge: `step` is the distance in memory
+  /// to its covered neighbour and `sum` the sum of (ghost - p1) over the four fine faces between. Collective.
+  template <class T, class F>
+  void for_each_flux(const CellField<T>& fine, F&& f);
+
+  /// Calls f(i, j, k) for the fine cells along the edge of local patch p, once per edge face.
+  template <class F>
+  void for_each_edge_cell(int p, F&& f) const;
+
+ private:
+  /// Coarse cells in a plane outside one face of a fine patch; `values` are 4 per cell: (t1, t2) low-low, high-low,
+  /// low-high, high-high.
+  struct Piece {
+    int side;                      ///< of the fine patch
+    int fine_patch, coarse_patch;  ///< local numbers, -1 on another rank
+    int fine_owner, coarse_owner;
+    IndexBox cells;  ///< in the fine patch's image
+    Int3 shift;      ///< to the coarse patch's own cells
+    std::vector<double> values;
+  };
+  template <class F>
+  static void for_each_face(const Piece& piece, F&& f);
+  /// Moves the values of pieces that two ranks share.
+  void send(bool to_fine);
+
+  Level coarse_, fine_;
+  int rank_ = 0;
+  std::vector<Piece> pieces_;
+};
+
+template <class F>
+void PressureInterface::for_each_edge_cell(int p, F&& f) const
+{
+  for (const Piece& piece : pieces_) {
+    if (piece.fine_patch != p) continue;
+    IndexBox layer = piece.cells.refined();
+    const auto d = static_cast<std::size_t>(side_direction(piece.side));
+    layer.lo[d] = side_is_high(piece.side) ? layer.lo[d] - 1 : layer.hi[d];
+    layer.hi[d] = layer.lo[d] + 1;
+    for_each_index(layer, f);
+  }
+}
+
+/// Calls f(coarse cell, number of its first value).
+template <class F>
+void PressureInterface::for_each_face(const Piece& piece, F&& f)
+{
+  std::size_t n = 0;
+  for_each_index(piece.cells, [&](int i, int j, int k) {
+    f(Int3{i, j, k}, n);
+    n += 4;
+  });
+}
+
+template <class T, class F>
+void PressureInterface::for_each_flux(const CellField<T>& fine, F&& f)
+{
+  for (Piece& piece : pieces_) {
+    if (piece.fine_patch < 0) continue;
+    const int d = side_direction(piece.side), t1 = d == 0 ? 1 : 0, t2 = d == 2 ? 1 : 2;
+    const Array3<T>& a = fine[piece.fine_patch];
+    const bool high = side_is_high(piece.side);
+    const std::ptrdiff_t inward = (high ? -1 : 1) * a.stride(d), s1 = a.stride(t1), s2 = a.stride(t2);
+    for_each_face(piece, [&](Int3 c, std::size_t n) {
+      for (int& i : c) i *= 2;
+      if (!high) ++c[static_cast<std::size_t>(d)];
+      const T* g = a.at(c[0], c[1], c[2]);
+      const auto jump = [&](std::ptrdiff_t at) {
+        return static_cast<double>(g[at]) - static_cast<double>(g[at + inward]);
+      };
+      piece.values[n] = (jump(0) + jump(s1)) + (jump(s2) + jump(s1 + s2));
+    });
+  }
+  send(false);
+  for (const Piece& piece : pieces_) {
+    if (piece.coarse_patch < 0) continue;
+    for_each_face(piece, [&](const Int3& c, std::size_t n) {
+      const Int3 cell{c[0] + piece.shift[0], c[1] + piece.shift[1], c[2] + piece.shift[2]};
+      f(piece.coarse_patch, cell, piece.side, piece.values[n]);
+    });
+  }
+}
+
+}  // namespace valsalva::ib3d

@@ -1,0 +1,136 @@
+#include "ib3d/grid/rank_regions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/error.hpp"
+
+namespace valsalva::ib3d {
+
+namespace {
+
+/// A box of the grid in cm, with the cells per cm of length along each direction folded into `work`.
+struct Block {
+  Vec3 lo, hi;
+  double work;
+};
+
+double overlap(const Block& b, int d, double below)
+{
+  return b.work * std::clamp((below - b.lo[d]) / (b.hi[d] - b.lo[d]), 0.0, 1.0);
+}
+
+}  // namespace
+
+/// What lies in a part of space.
+struct RankRegions::Part {
+  std::vector<Block> blocks;  ///< of all levels
+  std::vector<Vec3> nodes;
+  Vec3 lo, hi;  ///< around the finest boxes, cm
+
+  double work_below(int d, double x) const
+  {
+    double work = 0;
+    for (const Block& b : blocks) work += overlap(b, d, x);
+    for (const Vec3& n : nodes) work += n[d] < x ? kNodeWeight : 0.0;
+    return work;
+  }
+  Part side(int d, double x, bool high) const
+  {
+    Part part;
+    for (Block b : blocks) {
+      const double below = overlap(b, d, x);
+      b.work = high ? b.work - below : below;
+      (high ? b.lo : b.hi)[d] = high ? std::max(b.lo[d], x) : std::min(b.hi[d], x);
+      if (b.hi[d] > b.lo[d]) part.blocks.push_back(b);
+    }
+    for (const Vec3& n : nodes)
+      if ((n[d] >= x) == high) part.nodes.push_back(n);
+    part.lo = lo;
+    part.hi = hi;
+    (high ? part.lo : part.hi)[d] = x;
+    return part;
+  }
+};
+
+RankRegions::RankRegions(const std::vector<LevelBoxes>& levels, const std::vector<Vec3>& nodes, int count)
+{
+  Part all;
+  all.nodes = nodes;
+  for (const LevelBoxes& level : levels)
+    for (const IndexBox& box : level.boxes) {
+      Block b{{}, {}, static_cast<double>(box.volume())};
+      for (int d = 0; d < 3; ++d) {
+        b.lo[d] = box.lo[static_cast<std::size_t>(d)] * level.h;
+        b.hi[d] = box.hi[static_cast<std::size_t>(d)] * level.h;
+      }
+      if (&level == &levels.back()) {
+        const bool first = &box == level.boxes.data();
+        for (int d = 0; d < 3; ++d) {
+          all.lo[d] = first ? b.lo[d] : std::min(all.lo[d], b.lo[d]);
+          all.hi[d] = first ? b.hi[d] : std::max(all.hi[d], b.hi[d]);
+        }
+      }
+      all.blocks.push_back(b);
+    }
+  split(std::move(all), 0, count, levels.back().block * levels.back().h);
+}
+
+int RankRegions::split(Part part, int first, int count, double block_cm)
+{
+  const int number = static_cast<int>(nodes_.size());
+  nodes_.push_back({first, count});
+  if (count == 1) return number;
+  int d = 2;
+  for (int e : {1, 0})
+    if (part.hi[e] - part.lo[e] > part.hi[d] - part.lo[d] + 1e-9) d = e;
+  const int blocks = static_cast<int>(std::lround((part.hi[d] - part.lo[d]) / block_cm));
+  if (blocks < 2)
+    throw CaseError("grid.finest_cm",
+                    fmt::format("leaves too few cells to share among {} boxes; run on fewer ranks", count));
+  const int low_count = count / 2;
+  const double wanted = part.work_below(d, part.hi[d] + block_cm) * low_count / count;
+  double best = 0, best_off = -1;
+  for (int b = 1; b < blocks; ++b) {
+    const double x = part.lo[d] + b * block_cm, off = std::abs(part.work_below(d, x) - wanted);
+    if (best_off < 0 || off < best_off - 1e-9 * wanted) {
+      best = x;
+      best_off = off;
+    }
+  }
+  const int low = split(part.side(d, best, false), first, low_count, block_cm);
+  const int high = split(part.side(d, best, true), first + low_count, count - low_count, block_cm);
+  nodes_[static_cast<std::size_t>(number)] = {first, count, d, best, low, high};
+  return number;
+}
+
+std::vector<RankRegions::Piece> RankRegions::cut(const LevelBoxes& level) const
+{
+  std::vector<Piece> pieces;
+  for (const IndexBox& box : level.boxes) cut(0, box, level, pieces);
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const Piece& a, const Piece& b) { return a.region < b.region; });
+  return pieces;
+}
+
+void RankRegions::cut(int node, const IndexBox& box, const LevelBoxes& level,
+                      std::vector<Piece>& pieces) const
+{
+  if (box.empty()) return;
+  const Node& n = nodes_[static_cast<std::size_t>(node)];
+  if (n.low < 0) {
+    pieces.push_back({box, n.first});
+    return;
+  }
+  const auto d = static_cast<std::size_t>(n.d);
+  const int at = level.block * static_cast<int>(std::lround(n.x / (level.block * level.h)));
+  IndexBox low = box, high = box;
+  low.hi[d] = std::min(low.hi[d], at);
+  high.lo[d] = std::max(high.lo[d], at);
+  cut(n.low, low, level, pieces);
+  cut(n.high, high, level, pieces);
+}
+
+}  // namespace valsalva::ib3d
