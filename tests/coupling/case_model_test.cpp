@@ -71,7 +71,7 @@ TEST(CaseModel, FlowOfTheInterfaceIsTheFlowOfTheVelocity)
   CaseModel model(small_case(), MPI_COMM_SELF, timers);
   for (int n = 0; n < 3; ++n) model.model().advance(model.model().next_step(0.01));
   const ib3d::NavierStokes& fluid = model.root().fluid();
-  const std::vector<double> Q = ib3d::flow_through(fluid.openings(), fluid.level(), fluid.u());
+  const std::vector<double> Q = ib3d::OpeningFaces(fluid.grid(), fluid.openings()).flow(fluid.u());
   for (std::size_t m = 0; m < 2; ++m) EXPECT_NEAR(Q[m] / model.model().interface().flow_ml_s[m], 1.0, 1e-7);
 }
 

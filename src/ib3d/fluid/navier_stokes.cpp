@@ -87,12 +87,25 @@ double NavierStokes::courant_rate() const
 
 void NavierStokes::begin_step(const MacField& f, double dt)
 {
+  std::vector<const MacField*> force(u_.size(), nullptr);
+  force.back() = &f;
+  advance_velocity(force, dt);
+}
+
+void NavierStokes::begin_step(const CompositeMac& f, double dt)
+{
+  std::vector<const MacField*> force;
+  for (const MacField& level : f) force.push_back(&level);
+  advance_velocity(force, dt);
+}
+
+void NavierStokes::advance_velocity(const std::vector<const MacField*>& f, double dt)
+{
   dt_before_ = dt_;
   dt_ = dt;
   const double w1 = dt_before_ > 0 ? -0.5 * dt / dt_before_ : 0.0;
   for (std::size_t l = 0; l < u_.size(); ++l) {
-    const MacField* force = l + 1 == u_.size() ? &f : nullptr;
-    advance_momentum(grid_.levels()[l], fluid_, u_[l], force, dt, w1, rate_[l], u_new_[l]);
+    advance_momentum(grid_.levels()[l], fluid_, u_[l], f[l], dt, w1, rate_[l], u_new_[l]);
     close_walls(solver_.problem().grid(static_cast<int>(l)), u_new_[l]);
     shared_faces_[l].fill(u_new_[l]);  // f is complete on owned faces only
   }

@@ -20,6 +20,8 @@ class NavierStokes {
 
   /// u* from u^n; f in dyn/cm^3 on the faces of the finest level, complete on the owned ones; none on the others.
   void begin_step(const MacField& f, double dt);
+  /// The same with a force on all levels.
+  void begin_step(const CompositeMac& f, double dt);
   /// Solves for p with these mean opening pressures (dyn/cm^2, one per opening) and returns the flows (ml/s,
   /// outward) that would result. Where the profile is not uniform the pressure on a face is lowered by
   /// rho (w|w| - W|W|), w the inward velocity and W its mean over the disc: neutral for plug flow, it keeps
@@ -48,6 +50,7 @@ class NavierStokes {
   void set_velocity(const CompositeMac& u);
 
  private:
+  void advance_velocity(const std::vector<const MacField*>& f, double dt);
   void prescribe(const std::vector<double>& opening_pressure);
   void average_down(CompositeMac& u);
   void fill_velocity_ghosts(CompositeMac& u);

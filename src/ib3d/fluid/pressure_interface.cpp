@@ -54,20 +54,52 @@ void PressureInterface::send(bool to_fine)
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
 }
 
+namespace {
+
+/// Coarse values around a cell in the plane of an interface, (m, n) in -1..1 along the two tangents. Beyond the sides
+/// of the domain they are extrapolated quadratically: what a wall does to the pressure there is not the fine grid's
+/// business.
+template <class T>
+struct Plane {
+  const T* cell;
+  std::ptrdiff_t s1, s2;
+  int side1, side2;  ///< -1, +1: the cell lies at the low, high side of the domain along the tangent, else 0
+
+  double raw(int m, int n) const { return static_cast<double>(cell[m * s1 + n * s2]); }
+  double along1(int m, int n) const
+  {
+    return m != 0 && m == side1 ? 3 * (raw(0, n) - raw(-m, n)) + raw(-2 * m, n) : raw(m, n);
+  }
+  double operator()(int m, int n) const
+  {
+    return n != 0 && n == side2 ? 3 * (along1(m, 0) - along1(m, -n)) + along1(m, -2 * n) : along1(m, n);
+  }
+};
+
+int side_of(const Level& level, int d, int i)
+{
+  const auto dd = static_cast<std::size_t>(d);
+  if (level.domain.periodic(d)) return 0;
+  return i == level.box.lo[dd] ? -1 : i == level.box.hi[dd] - 1 ? 1 : 0;
+}
+
+}  // namespace
+
 template <class T>
 void PressureInterface::take_base(const CellField<T>& coarse)
 {
   for (Piece& piece : pieces_) {
     if (piece.coarse_patch < 0) continue;
-    const int d = side_direction(piece.side);
+    const int d = side_direction(piece.side), t1 = d == 0 ? 1 : 0, t2 = d == 2 ? 1 : 2;
     const Array3<T>& a = coarse[piece.coarse_patch];
-    const std::ptrdiff_t s1 = a.stride(d == 0 ? 1 : 0), s2 = a.stride(d == 2 ? 1 : 2);
     for_each_face(piece, [&](const Int3& c, std::size_t n) {
-      const T* v = a.at(c[0] + piece.shift[0], c[1] + piece.shift[1], c[2] + piece.shift[2]);
-      const auto at = [&](std::ptrdiff_t m) { return static_cast<double>(v[m]); };
-      const double slope1 = 0.125 * (at(s1) - at(-s1)), slope2 = 0.125 * (at(s2) - at(-s2));
-      const double twist = (1.0 / 64) * (at(s1 + s2) - at(s1 - s2) - at(s2 - s1) + at(-s1 - s2));
-      const double middle = at(0) + (1.0 / 32) * (at(s1) + at(-s1) + at(s2) + at(-s2) - 4 * at(0));
+      const Int3 at{c[0] + piece.shift[0], c[1] + piece.shift[1], c[2] + piece.shift[2]};
+      const Plane<T> v{a.at(at[0], at[1], at[2]), a.stride(t1), a.stride(t2),
+                       side_of(coarse_, t1, at[static_cast<std::size_t>(t1)]),
+                       side_of(coarse_, t2, at[static_cast<std::size_t>(t2)])};
+      const double slope1 = 0.125 * (v(1, 0) - v(-1, 0)), slope2 = 0.125 * (v(0, 1) - v(0, -1));
+      const double twist = (1.0 / 64) * (v(1, 1) - v(1, -1) - v(-1, 1) + v(-1, -1));
+      const double middle = v(0, 0) + (1.0 / 32) * (v(1, 0) + v(-1, 0) + v(0, 1) + v(0, -1) - 4 * v(0, 0));
       for (std::size_t m = 0; m < 4; ++m) {
         const double h1 = (m & 1) != 0 ? 1 : -1, h2 = (m & 2) != 0 ? 1 : -1;
         piece.values[n + m] = (8.0 / 15) * (middle + h1 * slope1 + h2 * slope2 + h1 * h2 * twist);

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "ib3d/fluid/order.hpp"
-#include "ib3d/fluid/tube.hpp"
+#include "ib3d/fluid/grids.hpp"
 
 namespace valsalva::ib3d {
 namespace {
@@ -25,16 +25,35 @@ TEST(NavierStokes, UniformStreamStaysUniform)
   for (const int boxes : {1, 4}) {
     const Hierarchy grid(periodic_box({1, 1, 2}), 1.0 / 16, MPI_COMM_SELF, boxes);
     const Level& level = grid.finest();
-    NavierStokes fluid(level, {}, {}, {"multilevel", 1e-9, 50});
+    NavierStokes fluid(grid, {}, {}, {"multilevel", 1e-9, 50});
     MacField stream(level), none(level);
     fill_faces(level, stream, [](int c, const Vec3&) { return c == 0 ? 1.0 : c == 1 ? -0.7 : 0.3; });
-    fluid.set_velocity(stream);
+    fluid.set_velocity({stream});
     for (int step = 0; step < 5; ++step) {
       fluid.begin_step(none, 0.01);
       fluid.solve_pressure({});
       fluid.finish_step({});
     }
-    EXPECT_LT(largest_difference(level, fluid.u(), stream), 1e-13);
+    EXPECT_LT(largest_difference(level, fluid.u()[0], stream), 1e-13);
+  }
+}
+
+TEST(NavierStokes, UniformStreamCrossesLevelsUnchanged)
+{
+  for (const int levels : {2, 3}) {
+    const Hierarchy grid = nested_grid(periodic_box({1, 1, 2}), 1.0 / 16, levels, false, 3);
+    NavierStokes fluid(grid, {}, {}, {"multilevel", 1e-9, 50});
+    const auto uniform = [](int c, const Vec3&) { return c == 0 ? 1.0 : c == 1 ? -0.7 : 0.3; };
+    CompositeMac stream = composite_faces(grid);
+    for (std::size_t l = 0; l < stream.size(); ++l) fill_faces(grid.levels()[l], stream[l], uniform);
+    fluid.set_velocity(stream);
+    for (int step = 0; step < 5; ++step) {
+      fluid.begin_step(composite_faces(grid), 0.005);
+      fluid.solve_pressure({});
+      fluid.finish_step({});
+    }
+    for (std::size_t l = 0; l < stream.size(); ++l)
+      EXPECT_LT(largest_difference(grid.levels()[l], fluid.u()[l], stream[l]), 1e-11) << levels << " " << l;
   }
 }
 
@@ -42,7 +61,7 @@ TEST(NavierStokes, ForceWithAPotentialMovesNothingInAClosedBox)
 {
   const Hierarchy grid(walled_box({1, 1, 2}), 1.0 / 16, MPI_COMM_SELF, 2);
   const Level& level = grid.finest();
-  NavierStokes fluid(level, {}, {}, {"multilevel", 1e-9, 50});
+  NavierStokes fluid(grid, {}, {}, {"multilevel", 1e-9, 50});
   const auto potential = [](Vec3 x) { return 100 * std::sin(2 * x[0]) * std::cos(3 * x[1] - x[2]); };
   MacField f(level), rest(level);
   fill_faces(level, f, [&](int c, const Vec3& x) {
@@ -56,13 +75,13 @@ TEST(NavierStokes, ForceWithAPotentialMovesNothingInAClosedBox)
     fluid.solve_pressure({});
     fluid.finish_step({});
   }
-  EXPECT_LT(largest_difference(level, fluid.u(), rest), 1e-8);
+  EXPECT_LT(largest_difference(level, fluid.u()[0], rest), 1e-8);
   // The pressure has taken up the force: p - potential is the same everywhere.
   double low = 1e300, high = -1e300;
   for (int p = 0; p < level.local_count(); ++p)
     for_each_index(level.local_box(p), [&](int i, int j, int k) {
-      const double rest_of_p =
-          fluid.p()[p](i, j, k) - potential({(i + 0.5) * level.h, (j + 0.5) * level.h, (k + 0.5) * level.h});
+      const double rest_of_p = fluid.p()[0][p](i, j, k) -
+                               potential({(i + 0.5) * level.h, (j + 0.5) * level.h, (k + 0.5) * level.h});
       low = std::min(low, rest_of_p);
       high = std::max(high, rest_of_p);
     });

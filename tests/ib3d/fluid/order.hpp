@@ -57,12 +57,12 @@ inline FlowErrors flow_errors(const ExactFlow& flow, int n)
   const Domain domain = flow.domain(h);
   const Hierarchy grid(domain, h, MPI_COMM_SELF);
   const Level& level = grid.finest();
-  NavierStokes fluid(level, {}, flow.fluid, {"multilevel", 1e-8, 100});
+  NavierStokes fluid(grid, {}, flow.fluid, {"multilevel", 1e-8, 100});
   MacField field(level);
   const long steps = std::lround(flow.end_s / (flow.dt_per_h * h));
   const double dt = flow.end_s / static_cast<double>(steps);
   fill_faces(level, field, [&](int c, const Vec3& x) { return flow.velocity(c, x, 0); });
-  fluid.set_velocity(field);
+  fluid.set_velocity({field});
   for (long step = 0; step < steps; ++step) {
     const double middle = (static_cast<double>(step) + 0.5) * dt;
     fill_faces(level, field, [&](int c, const Vec3& x) { return flow.force(c, x, middle); });
@@ -77,10 +77,10 @@ inline FlowErrors flow_errors(const ExactFlow& flow, int n)
   const IndexBox& box = level.local_box(0);
   for (int c = 0; c < 3; ++c)
     for_each_owned_face(level, 0, c, [&](int i, int j, int k) {
-      u.push_back(fluid.u()(0, c)(i, j, k) - field(0, c)(i, j, k));
+      u.push_back(fluid.u()[0](0, c)(i, j, k) - field(0, c)(i, j, k));
     });
   for_each_index(box, [&](int i, int j, int k) {
-    p.push_back(fluid.p()[0](i, j, k) -
+    p.push_back(fluid.p()[0][0](i, j, k) -
                 flow.pressure({(i + 0.5) * h, (j + 0.5) * h, (k + 0.5) * h}, flow.end_s - 0.5 * dt));
     mean += p.back();
   });

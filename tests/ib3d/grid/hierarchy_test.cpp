@@ -11,7 +11,7 @@
 namespace valsalva::ib3d {
 namespace {
 
-TEST(Hierarchy, BoxesCoverTheDomainOnceAndAreMultiplesOfEightCells)
+TEST(Hierarchy, BoxesCoverTheDomainOnceAndAreMultiplesOfTheBlock)
 {
   for (const int boxes : {1, 2, 3, 5, 8, 12}) {
     const Hierarchy grid(walled_box({2, 2, 6}), 2.0 / 16, MPI_COMM_SELF, boxes);
@@ -19,7 +19,7 @@ TEST(Hierarchy, BoxesCoverTheDomainOnceAndAreMultiplesOfEightCells)
     EXPECT_EQ(level.patches.size(), static_cast<std::size_t>(boxes));
     EXPECT_EQ(level.cell_count(), level.box.volume());
     for (std::size_t a = 0; a < level.patches.size(); ++a) {
-      for (int d = 0; d < 3; ++d) EXPECT_EQ(level.patches[a].box.size(d) % kBlockingFactor, 0);
+      for (int d = 0; d < 3; ++d) EXPECT_EQ(level.patches[a].box.size(d) % kCoarsestBlockingFactor, 0);
       for (std::size_t b = 0; b < a; ++b)
         EXPECT_TRUE(intersect(level.patches[a].box, level.patches[b].box).empty());
     }
@@ -44,7 +44,7 @@ TEST(Hierarchy, SpacingNamedInErrorDividesTheBox)
 TEST(Hierarchy, SidesThatWouldNeedUnequalSpacingsAreRefused)
 {
   EXPECT_THROW(Hierarchy(walled_box({5, 5.01, 15}), 5.0 / 48, MPI_COMM_SELF), CaseError);
-  EXPECT_THROW(Hierarchy(walled_box({2, 2, 2}), 2.0 / 16, MPI_COMM_SELF, 9), CaseError);
+  EXPECT_THROW(Hierarchy(walled_box({2, 2, 2}), 2.0 / 16, MPI_COMM_SELF, 100), CaseError);
 }
 
 TEST(Hierarchy, PeriodicSidesAreNoBoundary)

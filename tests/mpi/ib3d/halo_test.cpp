@@ -49,9 +49,13 @@ double product(const Level& level, const MacField& a, const MacField& b, bool ow
 {
   double sum = 0;
   for (int p = 0; p < level.local_count(); ++p)
-    for (int c = 0; c < 3; ++c)
-      for_each_index(owned_only ? owned_faces(level, level.local_box(p), c) : ghosted(level, p, c),
-                     [&](int i, int j, int k) { sum += a(p, c)(i, j, k) * b(p, c)(i, j, k); });
+    for (int c = 0; c < 3; ++c) {
+      const auto add = [&](int i, int j, int k) { sum += a(p, c)(i, j, k) * b(p, c)(i, j, k); };
+      if (owned_only)
+        for_each_owned_face(level, p, c, add);
+      else
+        for_each_index(ghosted(level, p, c), add);
+    }
   return sum_over_ranks(sum);
 }
 

@@ -31,7 +31,7 @@ std::vector<Opening> two_discs()
 struct Run {
   Run(MPI_Comm comm, int boxes, StructureScheme scheme)
       : grid(walled_box(kSize), 0.125, comm, boxes),
-        root(grid.finest(), two_discs(), {}, {"multilevel", 1e-11, 100}, tangle(), scheme, timers)
+        root(grid, two_discs(), {}, {"multilevel", 1e-11, 100}, tangle(), scheme, timers)
   {
     for (int step = 0; step < 4; ++step) {
       root.begin_step(1e-3);
@@ -52,9 +52,9 @@ void compare(const Run& one, const Run& many, double& speed, double& difference)
   for (int p = 0; p < level.local_count(); ++p)
     for (int c = 0; c < 3; ++c)
       for_each_index(faces_of(level.local_box(p), c), [&](int i, int j, int k) {
-        const double expected = one.root.fluid().u()(0, c)(i, j, k);
+        const double expected = one.root.fluid().u()[0](0, c)(i, j, k);
         speed = std::max(speed, std::abs(expected));
-        difference = std::max(difference, std::abs(many.root.fluid().u()(p, c)(i, j, k) - expected));
+        difference = std::max(difference, std::abs(many.root.fluid().u()[0](p, c)(i, j, k) - expected));
       });
   double both[2] = {speed, difference};
   MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
