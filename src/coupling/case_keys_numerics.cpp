@@ -30,7 +30,13 @@ std::vector<KeySection> numerics_sections()
        "The computational grid",
        {real("finest_cm", "cm", "Spacing h of the finest cells; divides the box")
             .in(1e-3, 10.0)
-            .or_else(0.104167)}},
+            .or_else(0.104167),
+        integer("levels", "Levels of refinement by 2; the finest holds the structure").in(1, 8).or_else(1),
+        integer("margin_cells", "Finest cells that the structure may move before the grid follows")
+            .in(1, 64)
+            .or_else(2),
+        flag("lumen", "Refine what the structure encloses in planes across z, not only what is near it")
+            .or_else(true)}},
       {"fluid",
        "Blood as a Newtonian fluid",
        {real("density_g_cm3", "g/cm^3", "Density").in(0.1, 10.0).or_else(1.0),
@@ -71,6 +77,15 @@ KeySection output_section()
        real("progress_every_s", "s", "Seconds of the wall clock between two lines of progress")
            .at_least(0)
            .or_else(5.0)}};
+}
+
+KeyArray refine_array()
+{
+  return {"refine",
+          "A part of the box that is refined by hand",
+          {reals("lo_cm", "cm", "Lower corner").of_count(3), reals("hi_cm", "cm", "Upper corner").of_count(3),
+           integer("level", "Level that covers it at least; 0 is the coarsest").in(1, 8)},
+          {}};
 }
 
 KeyArray opening_array()

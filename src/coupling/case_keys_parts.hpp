@@ -11,6 +11,7 @@ std::vector<common::KeySection> numerics_sections();   ///< time, domain, grid, 
 std::vector<common::KeySection> structure_sections();  ///< structure, root, leaflets, wall
 common::KeySection output_section();
 common::KeyArray opening_array();
+common::KeyArray refine_array();
 common::KeyArray element_array();  ///< one variant per element type of the lumped layer
 
 }  // namespace valsalva::coupling

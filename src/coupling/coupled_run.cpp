@@ -84,10 +84,13 @@ std::string describe_coupling(const CaseFile& c, CaseModel& m)
 
 std::string describe_model(const CaseFile& c, CaseModel& m)
 {
-  const ib3d::Level& level = m.grid().finest();
-  std::string text = fmt::format("grid       {} x {} x {} cells of {:.5g} cm in {} box{}\n",
-                                 level.box.size(0), level.box.size(1), level.box.size(2), level.h,
-                                 level.patches.size(), level.patches.size() == 1 ? "" : "es");
+  std::string text;
+  for (const ib3d::Level& level : m.grid().levels())
+    text += fmt::format("grid       {} cells of {:.5g} cm in {} box{}{}\n", level.cell_count(), level.h,
+                        level.patches.size(), level.patches.size() == 1 ? "" : "es",
+                        level.cell_count() == level.box.volume()
+                            ? fmt::format(", {} x {} x {}", level.box.size(0), level.box.size(1), level.box.size(2))
+                            : std::string());
   const ib3d::FiberNetwork& n = m.structure().network;
   text += fmt::format("structure  {} nodes, {} springs, {} beams, {} tethers\n", n.node_count(),
                       n.springs.count(), n.beams.count(), n.tethers.count());
@@ -129,7 +132,7 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
                    0,
                    0,
                    0,
-                   model.grid().finest().cell_count(),
+                   model.grid().valid_cell_count(),
                    model.structure().network.node_count()};
   write_run_record(options.out_dir, record, comm);
   const auto close_record = [&](const std::string& outcome) {

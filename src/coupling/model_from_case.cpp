@@ -131,6 +131,16 @@ ib3d::Domain domain_from_case(const CaseFile& c)
   return domain;
 }
 
+ib3d::RefinementPolicy refinement_from_case(const CaseFile& c)
+{
+  const CaseTable& t = c.section("grid");
+  ib3d::RefinementPolicy policy{t.integer("levels"), t.integer("margin_cells"), t.flag("lumen"), {}};
+  const auto corner = [](const std::vector<double>& x) { return Vec3{x[0], x[1], x[2]}; };
+  for (const CaseTable& r : c.tables("refine"))
+    policy.regions.push_back({corner(r.reals("lo_cm")), corner(r.reals("hi_cm")), r.integer("level")});
+  return policy;
+}
+
 std::vector<ib3d::Opening> openings_from_case(const CaseFile& c, const ib3d::Domain& domain)
 {
   std::vector<ib3d::Opening> openings;
@@ -184,11 +194,22 @@ Structure structure_from_case(const CaseFile& c, const ib3d::Domain& domain, dou
   return structure;
 }
 
+namespace {
+
+double h_from_case(const CaseFile& c)
+{
+  return c.section("grid").real("finest_cm");
+}
+
+}  // namespace
+
 CaseModel::CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers)
     : circulation_(network_from_case(c)),
       domain_(domain_from_case(c)),
-      grid_(domain_, c.section("grid").real("finest_cm"), comm),
-      structure_(structure_from_case(c, domain_, grid_.finest().h)),
+      refinement_(refinement_from_case(c)),
+      structure_(structure_from_case(c, domain_, ib3d::finest_spacing(domain_, h_from_case(c), refinement_.levels))),
+      grid_(domain_, h_from_case(c), comm, ib3d::refine(domain_, h_from_case(c), refinement_, structure_.network.X),
+            structure_.network.X),
       root_(grid_, openings_from_case(c, domain_), fluid_from_case(c), pressure_from_case(c),
             structure_.network,
             c.section("structure").text("scheme") == "midpoint" ? ib3d::StructureScheme::midpoint

@@ -6,6 +6,7 @@
 
 #include "common/case_file.hpp"
 #include "coupling/coupled_model.hpp"
+#include "ib3d/grid/refinement.hpp"
 #include "ib3d/structure/aortic_root.hpp"
 
 namespace valsalva::coupling {
@@ -16,6 +17,7 @@ bool is_lumped(const CaseFile& c);
 lumped::NetworkSpec network_from_case(const CaseFile& c);
 
 ib3d::Domain domain_from_case(const CaseFile& c);
+ib3d::RefinementPolicy refinement_from_case(const CaseFile& c);
 std::vector<ib3d::Opening> openings_from_case(const CaseFile& c, const ib3d::Domain& domain);
 StepControl step_control_from_case(const CaseFile& c);
 
@@ -43,8 +45,9 @@ class CaseModel {
  private:
   Circulation circulation_;
   ib3d::Domain domain_;
-  ib3d::Hierarchy grid_;
+  ib3d::RefinementPolicy refinement_;
   Structure structure_;
+  ib3d::Hierarchy grid_;
   ib3d::RootSolver root_;
   CoupledModel model_;
 };

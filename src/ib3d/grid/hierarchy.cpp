@@ -39,6 +39,11 @@ Int3 coarsest_cells(const Domain& domain, double h, int levels)
   return n;
 }
 
+double finest_spacing(const Domain& domain, double h, int levels)
+{
+  return domain.size[0] / (coarsest_cells(domain, h, levels)[0] << (levels - 1));
+}
+
 std::vector<int> Level::local_numbers() const
 {
   std::vector<int> number(patches.size(), -1);

@@ -116,4 +116,7 @@ class Hierarchy {
 /// spacings that would do.
 Int3 coarsest_cells(const Domain& domain, double h, int levels);
 
+/// The spacing (cm) of the finest level that this makes of h.
+double finest_spacing(const Domain& domain, double h, int levels);
+
 }  // namespace valsalva::ib3d

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "ib3d/fluid/order.hpp"
 #include "ib3d/fluid/grids.hpp"
+#include "ib3d/fluid/order.hpp"
 
 namespace valsalva::ib3d {
 namespace {

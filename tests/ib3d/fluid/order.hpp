@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "ib3d/fluid/grids.hpp"
 #include "ib3d/fluid/navier_stokes.hpp"
 
 namespace valsalva::ib3d {
@@ -18,6 +19,7 @@ struct ExactFlow {
   std::function<double(int c, const Vec3&x, double t)> velocity, force;
   std::function<double(const Vec3& x, double t)> pressure;
   double end_s = 0.25, dt_per_h = 0.1;
+  int levels = 1;  ///< n cells count on level 0; the middle is refined
 };
 
 struct ErrorNorms {
@@ -55,33 +57,37 @@ inline FlowErrors flow_errors(const ExactFlow& flow, int n)
 {
   const double h = flow.length / n;
   const Domain domain = flow.domain(h);
-  const Hierarchy grid(domain, h, MPI_COMM_SELF);
-  const Level& level = grid.finest();
+  const Hierarchy grid = nested_grid(domain, h, flow.levels, true);
   NavierStokes fluid(grid, {}, flow.fluid, {"multilevel", 1e-8, 100});
-  MacField field(level);
-  const long steps = std::lround(flow.end_s / (flow.dt_per_h * h));
+  CompositeMac field = composite_faces(grid);
+  const auto fill = [&](const auto& value, double t) {
+    for (std::size_t l = 0; l < field.size(); ++l)
+      fill_faces(grid.levels()[l], field[l], [&](int c, const Vec3& x) { return value(c, x, t); });
+  };
+  const long steps = std::lround(flow.end_s / (flow.dt_per_h * grid.finest().h));
   const double dt = flow.end_s / static_cast<double>(steps);
-  fill_faces(level, field, [&](int c, const Vec3& x) { return flow.velocity(c, x, 0); });
-  fluid.set_velocity({field});
+  fill(flow.velocity, 0);
+  fluid.set_velocity(field);
   for (long step = 0; step < steps; ++step) {
-    const double middle = (static_cast<double>(step) + 0.5) * dt;
-    fill_faces(level, field, [&](int c, const Vec3& x) { return flow.force(c, x, middle); });
+    fill(flow.force, (static_cast<double>(step) + 0.5) * dt);
     fluid.begin_step(field, dt);
     fluid.solve_pressure({});
     fluid.finish_step({});
   }
 
-  fill_faces(level, field, [&](int c, const Vec3& x) { return flow.velocity(c, x, flow.end_s); });
+  fill(flow.velocity, flow.end_s);
   std::vector<double> u, p;
   double mean = 0;
-  const IndexBox& box = level.local_box(0);
-  for (int c = 0; c < 3; ++c)
-    for_each_owned_face(level, 0, c, [&](int i, int j, int k) {
-      u.push_back(fluid.u()[0](0, c)(i, j, k) - field(0, c)(i, j, k));
-    });
-  for_each_index(box, [&](int i, int j, int k) {
-    p.push_back(fluid.p()[0][0](i, j, k) -
-                flow.pressure({(i + 0.5) * h, (j + 0.5) * h, (k + 0.5) * h}, flow.end_s - 0.5 * dt));
+  for (int l = 0; l < grid.level_count(); ++l)
+    for (int c = 0; c < 3; ++c)
+      for_each_owned_face(grid.level(l), 0, c, [&](int i, int j, int k) {
+        const auto ll = static_cast<std::size_t>(l);
+        if (!grid.covered(l, {i, j, k})) u.push_back(fluid.u()[ll](0, c)(i, j, k) - field[ll](0, c)(i, j, k));
+      });
+  for_each_valid_cell(grid, [&](std::size_t l, int q, int i, int j, int k) {
+    const double hl = grid.levels()[l].h;
+    p.push_back(fluid.p()[l][q](i, j, k) -
+                flow.pressure({(i + 0.5) * hl, (j + 0.5) * hl, (k + 0.5) * hl}, flow.end_s - 0.5 * dt));
     mean += p.back();
   });
   mean /= static_cast<double>(p.size());

@@ -49,6 +49,19 @@ TEST(FluidOrder, CarriedTaylorGreenVorticesAreSecondOrder)
   EXPECT_GT(fine.pressure.l2, 1.5);
 }
 
+TEST(FluidOrder, VorticesAcrossARefinedPatchAreSecondOrder)
+{
+  for (const int levels : {2, 3}) {
+    ExactFlow flow = taylor_green();
+    flow.levels = levels;
+    const Orders order = observed_orders(flow, levels == 2 ? 32 : 16);
+    RecordProperty("velocity_l2 on " + std::to_string(levels) + " levels", std::to_string(order.velocity.l2));
+    EXPECT_GT(order.velocity.l1, 1.8) << levels;
+    EXPECT_GT(order.velocity.l2, 1.8) << levels;
+    EXPECT_GT(order.pressure.l2, 1.5) << levels;
+  }
+}
+
 TEST(FluidOrder, DecayWithoutAdvectionIsSecondOrder)
 {
   ExactFlow flow = taylor_green();

@@ -1,0 +1,33 @@
+// Where the grid is fine: around the structure (always on the finest level), inside what it encloses, in boxes by hand,
+// where the flow has vorticity; and on every coarser level around the finer ones (proper nesting).
+#pragma once
+
+#include <span>
+
+#include "ib3d/grid/cluster.hpp"
+
+namespace valsalva::ib3d {
+
+/// Cells of level l between the edge of level l + 1 and its own edge.
+inline constexpr int kNestingBuffer = 4;
+/// Cells from a node to the end of its delta support, rounded up.
+inline constexpr int kSupportCells = 3;
+
+struct RefinedRegion {
+  Vec3 lo{}, hi{};  ///< cm
+  int level = 1;    ///< at least
+};
+
+struct RefinementPolicy {
+  int levels = 1;
+  int margin_cells = 2;                ///< how far (finest cells) a node may move before the grid follows
+  bool lumen = true;                   ///< refine what the structure encloses, layer by layer across z
+  std::vector<RefinedRegion> regions;  ///< by hand
+};
+
+/// Boxes of levels 1, 2, ...: h (cm) is the finest spacing, `nodes` are the structure's positions (cm), `tagged` more
+/// regions to refine. Throws CaseError("grid.finest_cm") when h does not divide the domain.
+Refinement refine(const Domain& domain, double h, const RefinementPolicy& policy, std::span<const Vec3> nodes,
+                  std::span<const RefinedRegion> tagged = {});
+
+}  // namespace valsalva::ib3d
