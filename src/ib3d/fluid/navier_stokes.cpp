@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ib3d/fluid/row_kernels.hpp"
+#include "ib3d/grid/field_checkpoint.hpp"
 #include "ib3d/grid/mirror.hpp"
 
 namespace valsalva::ib3d {
@@ -166,6 +167,16 @@ void NavierStokes::finish_step(const std::vector<double>& phi)
     }
   fill_velocity_ghosts(u_new_);
   std::swap(u_, u_new_);
+}
+
+void NavierStokes::save_or_restore(Checkpoint& c)
+{
+  c("fluid/dt", dt_);
+  ib3d::save_or_restore(c, "fluid/u", level_, u_);
+  ib3d::save_or_restore(c, "fluid/rate", level_, rate_);
+  ib3d::save_or_restore(c, "fluid/p", level_, p_);
+  ib3d::save_or_restore(c, "fluid/p_before", level_, p_before_);
+  if (c.reading()) fill_velocity_ghosts(u_);
 }
 
 }  // namespace valsalva::ib3d

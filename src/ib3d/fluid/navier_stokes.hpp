@@ -8,6 +8,7 @@
 // collective.
 #pragma once
 
+#include "common/checkpoint.hpp"
 #include "ib3d/fluid/momentum.hpp"
 #include "ib3d/fluid/opening_modes.hpp"
 
@@ -44,6 +45,8 @@ class NavierStokes {
 
   /// Replaces the velocity (all owned faces), forgetting the history: for initial conditions and tests.
   void set_velocity(const MacField& u);
+  /// What the next step needs of the last one. Collective.
+  void save_or_restore(Checkpoint& c);
 
  private:
   void prescribe(const std::vector<double>& opening_pressure);
