@@ -69,11 +69,12 @@ void continue_output_folder(const std::string& folder, const std::string& resolv
     throw CaseError(
         "", "the output folder '" + folder +
                 "' holds no run to continue (no case.resolved.toml); name the folder of the run with -o");
+  bool failed = false;
   if (comm.is_root()) {
-    std::ofstream(part) << resolved_case;
-    fs::rename(part, file, error);
+    failed = !(std::ofstream(part) << resolved_case << std::flush);
+    if (!failed) fs::rename(part, file, error);
   }
-  if (comm.any(static_cast<bool>(error)))
+  if (comm.any(failed || error))
     throw IoError("cannot write into '" + folder + "'; check its permissions and the free space");
 }
 

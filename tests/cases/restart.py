@@ -29,10 +29,12 @@ def expect(holds, message):
 
 
 def start(out, *more, end_s=END_S):
-    """The coarse aortic root, with a checkpoint after every step."""
+    """The coarse aortic root with a pressure that rises at once, and a checkpoint after every step."""
     command = [program, "run", str(root / "cases" / "aortic_root"), "-o", str(out)]
     for key in ["grid.finest_cm=0.208333", "output.pictures=false", "output.fields_every_s=0.004", "time.period_s=0.8",
-                "output.structure_every_s=0.004", "checkpoint.every_wall_s=1e-9", f"time.end_s={end_s}"]:
+                "output.structure_every_s=0.004", "checkpoint.every_wall_s=1e-9",
+                "element.ventricle.time_s=[0.0, 0.002, 0.15]", "element.ventricle.pressure_mmHg=[0.0, 20.0, 120.0]",
+                "element.arteries.pressurise_s=0.0", "element.arteries.initial_pressure_mmHg=0.0", f"time.end_s={end_s}"]:
         command += ["--set", key]
     return subprocess.Popen(command + list(more), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
