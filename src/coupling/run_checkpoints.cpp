@@ -9,6 +9,7 @@
 
 #include "common/error.hpp"
 #include "coupling/case_keys.hpp"
+#include "coupling/model_from_case.hpp"
 
 namespace valsalva::coupling {
 
@@ -57,12 +58,6 @@ bool may_change(const std::string& key)
          key.starts_with("checkpoint.");
 }
 
-double beat_length(const CaseFile& c)
-{
-  const CaseTable& time = c.section("time");
-  return time.real("period_s") > 0 ? time.real("period_s") : time.real("end_s");
-}
-
 Checkpoint open_checked(const std::string& path, const CaseFile& c, const Communicator& comm)
 {
   Checkpoint file = Checkpoint::open(path, comm.raw());
@@ -82,11 +77,12 @@ void check_same_run(const CaseFile& now, const CaseFile& then, const std::string
     p.message += " when " + checkpoint + " was written; put it back, or begin anew with --force";
     problems.push_back(std::move(p));
   }
-  if (beat_length(now) != beat_length(then))
+  const double beat = network_from_case(now).period_s, beat_then = network_from_case(then).period_s;
+  if (beat != beat_then)
     problems.push_back(now.section("time").problem(
         "period_s", fmt::format("the beat is {:.9g} s long now, it was {:.9g} s when {} was written; set "
                                 "time.period_s = {:.9g}, or begin anew with --force",
-                                beat_length(now), beat_length(then), checkpoint, beat_length(then))));
+                                beat, beat_then, checkpoint, beat_then)));
   if (!problems.empty()) throw CaseError(problems);
 }
 

@@ -84,8 +84,10 @@ void Snapshots::save_or_restore(Checkpoint& c)
   c("snapshots/structure", structure_.count);
   if (!c.reading()) return;
   for (Schedule* s : {&fields_, &structure_}) s->plan_after(model_.model().t());
-  if (field_series_) field_series_->cut_to(fields_.count);
-  if (structure_series_) structure_series_->cut_to(structure_.count);
+  common::on_root(comm_, [&] {
+    field_series_->cut_to(fields_.count);
+    structure_series_->cut_to(structure_.count);
+  });
 }
 
 void Snapshots::write_fields(double t)

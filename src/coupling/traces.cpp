@@ -72,10 +72,13 @@ void Traces::save_or_restore(Checkpoint& c)
   c("traces/beat", beat_);
   c("traces/samples", samples_);
   for (File* file : {&steps_, &openings_, &probes_, &beats_}) {
-    std::int64_t position = file->writer ? file->writer->position() : 0;
+    std::int64_t position = 0;
+    if (!c.reading()) common::on_root(comm_, [&] { position = file->writer->position(); });
     c("traces/" + file->name + "_bytes", position);
-    if (c.reading() && comm_.is_root())
-      file->writer.emplace(TimeSeriesWriter::continue_at(path_of(*file), file->columns, position));
+    if (c.reading())
+      common::on_root(comm_, [&] {
+        file->writer.emplace(TimeSeriesWriter::continue_at(path_of(*file), file->columns, position));
+      });
   }
 }
 

@@ -167,6 +167,8 @@ def refused(whole, out):
     said = end(start(out, "--restart", "latest"))
     expect("passed over" in said and f"continued  from {older}" in said, said)
     expect_same_end(whole, out)
+    (out / "probes.csv").write_text((out / "probes.csv").read_text()[:1000])
+    expect("rows that were there at the checkpoint are missing" in end(start(out, "--restart", "latest"), 4), "lost rows")
     for path in checkpoints(out).values():
         path.write_bytes(b"nothing")
     expect("no checkpoint" in end(start(out, "--restart", "latest", "--force"), 4), "all checkpoints were unreadable")
