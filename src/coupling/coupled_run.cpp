@@ -146,6 +146,10 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
         file("wall_s", wall);
         if (file.reading()) wall_before = wall;
         coupled.save_or_restore(file);
+        if (coupled.t() > end + 1e-9)
+          throw CaseError({c.section("time").problem(
+              "end_s",
+              fmt::format("lies before t = {:.6g} s of {}; use a later end", coupled.t(), file.path()))});
       },
       [&](Checkpoint& file) {
         traces.save_or_restore(file);

@@ -158,6 +158,7 @@ def refused(whole, out):
     expect("fluid.viscosity_g_cm_s: is 0.05 now, was 0.04" in said, said)
     said = end(start(whole, "--restart", "latest", "--set", "time.period_s=0.7"), 2)
     expect("time.period_s" in said and "set time.period_s = 0.8" in said, said)
+    expect("time.end_s: lies before" in end(start(whole, "--restart", "latest", end_s=0.01), 2), "an end in the past")
     end(start(whole, "--restart", str(whole / "checkpoints" / "missing.h5")), 4)
     expect(rows(whole / "step.csv") == before, "a refused restart has changed step.csv")
 
