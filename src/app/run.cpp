@@ -1,5 +1,7 @@
 #include "coupling/run.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -16,13 +18,22 @@ struct RunArguments {
   coupling::RunOptions options;
 };
 
+/// What to type to continue: the same case with the same --set.
+std::string continue_command(const CaseArguments& of_case, const std::string& out_dir)
+{
+  std::string command = fmt::format("valsalva run {} -o {} --restart latest", of_case.path, out_dir);
+  for (const std::string& one : of_case.overrides) command += fmt::format(" --set '{}'", one);
+  return command;
+}
+
 int run(const RunArguments& arguments, Chosen& chosen, const Communicator& comm)
 {
   const CaseFile case_file = read_case(arguments.of_case);
   coupling::RunOptions options = arguments.options;
   options.case_path = case_file.path();
   if (options.out_dir.empty()) options.out_dir = common::usual_output_folder(options.case_path);
-  common::check_output_folder(options.out_dir, options.force, comm);
+  if (options.restart.empty()) common::check_output_folder(options.out_dir, options.force, comm);
+  options.continue_command = continue_command(arguments.of_case, options.out_dir);
   options.drawing_script = std::string(kSourceDir) + "/scripts/draw_run.py";
   try {
     const int code = coupling::run_case(case_file, options);
@@ -43,6 +54,8 @@ void add_run(CLI::App& app, Chosen& chosen)
   add_case_arguments(*command, arguments->of_case);
   command->add_option("-o,--out", arguments->options.out_dir, "Output folder (default: out/<case>)");
   command->add_flag("--force", arguments->options.force, "Replace the output of an earlier run");
+  command->add_option("--restart", arguments->options.restart,
+                      "Continue the run in the output folder from a checkpoint: a file, or latest");
   command->callback([arguments, &chosen] {
     chosen.action = [arguments, &chosen](const Communicator& comm) { return run(*arguments, chosen, comm); };
   });

@@ -77,6 +77,8 @@ class CaseFile {
 
   /// The whole case with all defaults filled in, commented; it reads back to the same case.
   std::string resolved_toml() const;
+  /// The keys whose values are not those of `earlier`, a case of the same key table, with their places here.
+  std::vector<CaseProblem> differences_from(const CaseFile& earlier) const;
   /// The same error with the place of every key that is known here ("grid.finest_cm", "element.arteries",
   /// "element.arteries.C_ml_mmHg", or as the lumped layer writes them: element "arteries": C_ml_mmHg; node
   /// "ao").

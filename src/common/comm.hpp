@@ -5,7 +5,10 @@
 
 #include <mpi.h>
 
+#include <string>
 #include <vector>
+
+#include "common/error.hpp"
 
 namespace valsalva::common {
 
@@ -70,6 +73,22 @@ class Communicator {
   int rank_ = 0;
   int size_ = 1;
 };
+
+/// Runs `work` on rank 0 only. If it throws an IoError, all ranks throw one, so that none waits for rank 0 inside the
+/// next collective call; only rank 0's has a message. Collective.
+template <class Work>
+void on_root(const Communicator& comm, Work&& work)
+{
+  bool failed = false;
+  std::string why;
+  if (comm.is_root()) try {
+      work();
+    } catch (const IoError& error) {
+      failed = true;
+      why = error.what();
+    }
+  if (comm.any(failed)) throw IoError(why);
+}
 
 }  // namespace valsalva::common
 

@@ -1,5 +1,8 @@
 #include "common/hdf5_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
@@ -29,6 +32,15 @@ std::string reason()
       },
       &text);
   return text;
+}
+
+/// Waits until the file's data, or the names in a folder, are on the disk.
+bool reaches_disk(const std::string& path)
+{
+  const int file = ::open(path.c_str(), O_RDONLY);
+  const bool done = file >= 0 && ::fsync(file) == 0;
+  if (file >= 0) ::close(file);
+  return done;
 }
 
 }  // namespace
@@ -90,13 +102,17 @@ void Hdf5File::abandon() noexcept
   if (writing_ && rank_ == 0) std::remove(part(path_).c_str());
 }
 
-void Hdf5File::close()
+void Hdf5File::close(Durable durable)
 {
   require(H5Fclose(std::exchange(file_, -1)) >= 0, "could not be completed");
   if (!writing_) return;
+  const bool to_disk = rank_ == 0 && durable == Durable::yes;
+  require(!to_disk || reaches_disk(part(path_)), "could not be brought to the disk");
   std::error_code failed;
   if (rank_ == 0) std::filesystem::rename(part(path_), path_, failed);
   require(!failed, "could not be renamed from " + part(path_));
+  const std::string folder = std::filesystem::absolute(path_).parent_path().string();
+  require(!to_disk || reaches_disk(folder), "could not be brought to the disk under its name");
 }
 
 /// Throws on all ranks if `done` is false on one.

@@ -39,8 +39,10 @@ class Hdf5File {
   Hdf5File& operator=(Hdf5File&&) = delete;
   ~Hdf5File();
 
+  /// Whether a file must outlive a power failure too.
+  enum class Durable { no, yes };
   /// Completes the file and gives it its name; IoError if that fails. Nothing may be called afterwards.
-  void close();
+  void close(Durable durable = Durable::no);
 
   void create_group(const std::string& name);
   /// Attributes of the group or dataset `object`, which exists. Same values on every rank.

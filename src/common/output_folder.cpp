@@ -60,6 +60,24 @@ void create_output_folder(const std::string& folder, bool force, const std::stri
     throw IoError("cannot write into '" + folder + "'; check its permissions and the free space");
 }
 
+void continue_output_folder(const std::string& folder, const std::string& resolved_case,
+                            const Communicator& comm)
+{
+  const fs::path file = fs::path(folder) / "case.resolved.toml", part = file.string() + ".part";
+  std::error_code error;
+  if (comm.any(comm.is_root() && !fs::exists(file, error)))
+    throw CaseError(
+        "", "the output folder '" + folder +
+                "' holds no run to continue (no case.resolved.toml); name the folder of the run with -o");
+  bool failed = false;
+  if (comm.is_root()) {
+    failed = !(std::ofstream(part) << resolved_case << std::flush);
+    if (!failed) fs::rename(part, file, error);
+  }
+  if (comm.any(failed || error))
+    throw IoError("cannot write into '" + folder + "'; check its permissions and the free space");
+}
+
 std::string usual_output_folder(const std::string& case_path)
 {
   const fs::path file = fs::absolute(case_path).lexically_normal();

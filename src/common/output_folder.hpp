@@ -17,6 +17,11 @@ void check_output_folder(const std::string& folder, bool force, const Communicat
 void create_output_folder(const std::string& folder, bool force, const std::string& resolved_case,
                           const Communicator& comm);
 
+/// Replaces case.resolved.toml in the folder of an earlier run as a whole. CaseError (on all ranks) if `folder` holds
+/// no run. Collective.
+void continue_output_folder(const std::string& folder, const std::string& resolved_case,
+                            const Communicator& comm);
+
 /// "cases/aortic_root/case.toml" -> "out/aortic_root"; a file of another name, ".../smoke.toml" ->
 /// "out/aortic_root-smoke".
 std::string usual_output_folder(const std::string& case_path);

@@ -1,6 +1,7 @@
 #include "common/time_series.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -52,24 +53,19 @@ TimeSeriesWriter::TimeSeriesWriter(const std::string& path, std::vector<std::str
 }
 
 TimeSeriesWriter TimeSeriesWriter::continue_at(const std::string& path, std::vector<std::string> columns,
-                                               double t_last_s)
+                                               std::int64_t position)
 {
   std::ifstream old(path);
-  std::string line, kept = header_of(columns);
+  std::string line;
   if (!old || !std::getline(old, line))
     throw IoError("cannot continue '" + path + "': it is not there or empty");
-  if (line + "\n" != kept)
+  if (line + "\n" != header_of(columns))
     throw IoError("cannot continue '" + path + "': its columns are not those of this run");
-  while (std::getline(old, line)) {
-    // A row without its line end was being written when the run died.
-    const bool complete = !old.eof() && split_row(line).size() == columns.size();
-    if (complete && std::strtod(line.c_str(), nullptr) <= t_last_s * (1.0 + 1e-8)) kept += line + "\n";
-  }
-  old.close();
-  const std::string copy = path + ".new";
-  if (!(std::ofstream(copy) << kept << std::flush))
-    throw IoError("cannot write '" + copy + "'; is the disk full?");
-  std::filesystem::rename(copy, path);
+  std::error_code failed;
+  if (std::filesystem::file_size(path) < static_cast<std::uintmax_t>(position))
+    throw IoError("cannot continue '" + path + "': rows that were there at the checkpoint are missing");
+  std::filesystem::resize_file(path, static_cast<std::uintmax_t>(position), failed);
+  if (failed) throw IoError("cannot cut '" + path + "' back to the checkpoint: " + failed.message());
   return TimeSeriesWriter(path, columns.size(), "a");
 }
 
@@ -86,6 +82,14 @@ void TimeSeriesWriter::flush()
 {
   if (std::fflush(file_.get()) != 0) throw IoError("cannot write '" + path_ + "'; is the disk full?");
   flushed_ = std::chrono::steady_clock::now();
+}
+
+std::int64_t TimeSeriesWriter::position()
+{
+  flush();
+  if (::fsync(::fileno(file_.get())) != 0) throw IoError("cannot write '" + path_ + "'; is the disk full?");
+  std::fseek(file_.get(), 0, SEEK_END);  // a file opened to append knows its end only now
+  return std::ftell(file_.get());
 }
 
 const std::vector<double>& TimeSeries::column(std::string_view name) const

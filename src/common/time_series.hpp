@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -16,14 +17,16 @@ class TimeSeriesWriter {
  public:
   /// Creates the file with its header. IoError if it cannot be written.
   TimeSeriesWriter(const std::string& path, std::vector<std::string> columns);
-  /// Opens a file of an earlier run, drops its rows later than `t_last_s` and goes on behind them. IoError if
-  /// the columns are not the same.
+  /// Opens a file of an earlier run, cuts off what was written after `position()` was asked, and goes on there.
+  /// IoError if the columns are not the same or rows are missing.
   static TimeSeriesWriter continue_at(const std::string& path, std::vector<std::string> columns,
-                                      double t_last_s);
+                                      std::int64_t position);
 
   /// One row; `values` has one entry per column, or one less if the last column holds words.
   void add(const std::vector<double>& values, const std::string& word = "");
   void flush();
+  /// Where the next row begins (bytes); all rows before it are on the disk.
+  std::int64_t position();
 
  private:
   struct Close {

@@ -16,6 +16,7 @@ KeyTable all_keys()
   for (auto& section : numerics_sections()) table.sections.push_back(section);
   for (auto& section : structure_sections()) table.sections.push_back(section);
   table.sections.push_back(output_section());
+  table.sections.push_back(checkpoint_section());
   table.arrays = {opening_array(), refine_array(), element_array()};
   return table;
 }

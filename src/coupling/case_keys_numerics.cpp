@@ -88,6 +88,17 @@ KeyArray refine_array()
           {}};
 }
 
+KeySection checkpoint_section()
+{
+  return {
+      "checkpoint",
+      "From what a run can be continued (`valsalva run --restart latest`); one is always written at the end",
+      {real("every_wall_s", "s", "Seconds of the wall clock between two checkpoints; 0: only at the end")
+           .at_least(0)
+           .or_else(300.0),
+       integer("keep", "Checkpoints that are kept, the newest ones").in(1, 1000).or_else(2)}};
+}
+
 KeyArray opening_array()
 {
   return {"opening",

@@ -89,4 +89,17 @@ void Circulation::advance(double dt, const std::vector<double>& Q, const std::ve
   integrator_.advance(state_, state_.t + dt, Q, Q_end);
 }
 
+void Circulation::save_or_restore(Checkpoint& c)
+{
+  c("circulation/t_s", state_.t);
+  c("circulation/y", state_.y);
+  c("circulation/valve_open", state_.valve_open);
+  std::vector<double> resistance(resistance_.data(), resistance_.data() + resistance_.size());
+  c("circulation/resistance_mmHg_s_ml", resistance);
+  c("circulation/resistance_dt_s", resistance_dt_);
+  c("circulation/evaluations", evaluations_);
+  const Eigen::Index n = resistance.empty() ? 0 : port_count();
+  resistance_ = Eigen::Map<const Eigen::MatrixXd>(resistance.data(), n, n);
+}
+
 }  // namespace valsalva::coupling

@@ -12,6 +12,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "common/checkpoint.hpp"
 #include "lumped/cvode_integrator.hpp"
 
 namespace valsalva::coupling {
@@ -42,6 +43,8 @@ class Circulation {
 
   /// Network evaluations (integrations over one step) so far.
   long evaluations() const { return evaluations_; }
+
+  void save_or_restore(Checkpoint& c);
 
  private:
   void update_resistance(double dt, const std::vector<double>& Q, const Eigen::VectorXd& Q_end,

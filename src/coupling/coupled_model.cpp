@@ -124,6 +124,18 @@ StepReport CoupledModel::advance(const ib3d::StepBound& step)
           fluid.divergence_max()};
 }
 
+void CoupledModel::save_or_restore(Checkpoint& c)
+{
+  c("coupling/step", step_);
+  c("coupling/dt_before_s", dt_before_);
+  c("coupling/t_s", interface_.t_s);
+  c("coupling/pressure_mmHg", interface_.pressure_mmHg);
+  c("coupling/flow_ml_s", interface_.flow_ml_s);
+  c("coupling/flow_before_ml_s", flow_before_);
+  circulation_.save_or_restore(c);
+  root_.save_or_restore(c);
+}
+
 void CoupledModel::check_numbers(double dt, const Eigen::VectorXd& Q) const
 {
   const double cfl = root_.courant_rate() * dt;

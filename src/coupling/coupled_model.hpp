@@ -51,6 +51,10 @@ class CoupledModel {
   /// Inertance seen from opening m, mmHg s^2/ml: what flow acceleration costs in pressure.
   double inertance(int m) const;
 
+  /// Everything at t^n, of both sides: a restored model continues bit for bit on the same ranks, to rounding
+  /// on others. Collective.
+  void save_or_restore(Checkpoint& c);
+
  private:
   void predict_pressures(double dt);
   void check_numbers(double dt, const Eigen::VectorXd& Q) const;

@@ -9,6 +9,7 @@
 #include "common/output_folder.hpp"
 #include "common/progress.hpp"
 #include "common/stop_signal.hpp"
+#include "coupling/run_checkpoints.hpp"
 #include "coupling/run_record.hpp"
 #include "coupling/snapshots.hpp"
 #include "coupling/traces.hpp"
@@ -20,15 +21,22 @@ namespace {
 /// Tells where the run is: a line every few seconds, and a live bar in between where the output is a terminal.
 class ProgressLines {
  public:
-  ProgressLines(Log& log, double end_s, double every_s, double wall_s)
-      : log_(log), end_s_(end_s), every_s_(every_s), begun_(wall_s), told_(wall_s), shown_(wall_s)
+  ProgressLines(Log& log, const CoupledModel& now, double end_s, double every_s, double wall_s)
+      : log_(log),
+        begin_s_(now.t()),
+        end_s_(end_s),
+        every_s_(every_s),
+        begun_(wall_s),
+        told_(wall_s),
+        shown_(wall_s),
+        told_step_(now.step())
   {
   }
 
   void tell(const StepReport& s, const Traces& traces, double wall_s)
   {
     const double done = s.t_s / end_s_;
-    const std::string eta = common::eta_text(done, wall_s - begun_);
+    const std::string eta = common::eta_text((s.t_s - begin_s_) / (end_s_ - begin_s_), wall_s - begun_);
     if (wall_s - told_ > every_s_) {
       const BeatSample& now = traces.latest();
       log_.line(fmt::format(
@@ -48,15 +56,17 @@ class ProgressLines {
 
  private:
   Log& log_;
-  double end_s_, every_s_, begun_, told_, shown_;
-  long told_step_ = 0;
+  double begin_s_, end_s_, every_s_, begun_, told_, shown_;
+  long told_step_;
 };
 
 /// Adds to a numerical failure where it happened and what is safe.
-[[noreturn]] void fail_at(const CoupledModel& model, const std::string& folder, const SolverError& error)
+[[noreturn]] void fail_at(const CoupledModel& model, const std::string& folder, const std::string& checkpoint,
+                          const SolverError& error)
 {
-  throw SolverError(fmt::format("step {}, t = {:.6g} s: {}. All output up to this time is in {}",
-                                model.step() + 1, model.t(), error.what(), folder));
+  throw SolverError(fmt::format("step {}, t = {:.6g} s: {}. All output up to this time is in {}{}{}",
+                                model.step() + 1, model.t(), error.what(), folder,
+                                checkpoint.empty() ? "" : "; the last checkpoint is ", checkpoint));
 }
 
 /// The domain's inertance at each Windkessel, and how far explicit coupling would be from its limit dt* there
@@ -86,11 +96,12 @@ std::string describe_model(const CaseFile& c, CaseModel& m)
 {
   std::string text;
   for (const ib3d::Level& level : m.grid().levels())
-    text += fmt::format("grid       {} cells of {:.5g} cm in {} box{}{}\n", level.cell_count(), level.h,
-                        level.patches.size(), level.patches.size() == 1 ? "" : "es",
-                        level.cell_count() == level.box.volume()
-                            ? fmt::format(", {} x {} x {}", level.box.size(0), level.box.size(1), level.box.size(2))
-                            : std::string());
+    text += fmt::format(
+        "grid       {} cells of {:.5g} cm in {} box{}{}\n", level.cell_count(), level.h, level.patches.size(),
+        level.patches.size() == 1 ? "" : "es",
+        level.cell_count() == level.box.volume()
+            ? fmt::format(", {} x {} x {}", level.box.size(0), level.box.size(1), level.box.size(2))
+            : std::string());
   const ib3d::FiberNetwork& n = m.structure().network;
   text += fmt::format("structure  {} nodes, {} springs, {} beams, {} tethers\n", n.node_count(),
                       n.springs.count(), n.beams.count(), n.tethers.count());
@@ -115,18 +126,49 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
 {
   const Communicator comm;
   Timers timers;
+  std::optional<Restart> restart = find_restart(options.restart, options.out_dir, options.force, c, comm);
   CaseModel model(c, comm.raw(), timers);
-  common::create_output_folder(options.out_dir, options.force, c.resolved_toml(), comm);
-  Log log(comm.is_root(), options.out_dir + "/log.txt");
+  if (restart)
+    common::continue_output_folder(options.out_dir, c.resolved_toml(), comm);
+  else
+    common::create_output_folder(options.out_dir, options.force, c.resolved_toml(), comm);
+  Log log(comm.is_root(), options.out_dir + "/log.txt", restart.has_value());
   common::catch_stop_signals();
   log.line(c.section("").text("title"));
   log.line(fmt::format("ranks      {}", comm.size()));
   log.line(describe_model(c, model));
 
   const double end = c.section("time").real("end_s");
+  CoupledModel& coupled = model.model();
   Traces traces(options.out_dir, c, model, comm);
   Snapshots snapshots(options.out_dir, c, model, comm);
-  CoupledModel& coupled = model.model();
+  double wall_before = 0;  // of the runs that this one continues
+  RunCheckpoints checkpoints(
+      options.out_dir, c, comm, timers.wall(),
+      [&](Checkpoint& file) {
+        double wall = wall_before + timers.wall();
+        file("wall_s", wall);
+        if (file.reading()) wall_before = wall;
+        coupled.save_or_restore(file);
+        if (coupled.t() > end + 1e-9)
+          throw CaseError({c.section("time").problem(
+              "end_s",
+              fmt::format("lies before t = {:.6g} s of {}; use a later end", coupled.t(), file.path()))});
+      },
+      [&](Checkpoint& file) {
+        traces.save_or_restore(file);
+        snapshots.save_or_restore(file);
+      });
+  if (restart) {
+    for (const std::string& why : restart->unreadable) log.warning("passed over " + why);
+    checkpoints.restore(restart->file);
+    log.line(fmt::format("continued  from {}: step {}, t = {:.6g} s", restart->file.path(), coupled.step(),
+                         coupled.t()));
+    restart.reset();
+  } else {
+    traces.begin();
+  }
+
   RunRecord record{options.case_path,
                    "running",
                    0,
@@ -134,16 +176,20 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
                    0,
                    model.grid().valid_cell_count(),
                    model.structure().network.node_count()};
-  write_run_record(options.out_dir, record, comm);
-  const auto close_record = [&](const std::string& outcome) {
+  const auto write_record = [&](const std::string& outcome) {
     record.outcome = outcome;
     record.t_s = coupled.t();
     record.steps = coupled.step();
-    record.wall_s = timers.wall();
+    record.wall_s = wall_before + timers.wall();
     write_run_record(options.out_dir, record, comm);
   };
+  const auto write_checkpoint = [&] {
+    const auto scope = timers.time("checkpoint");
+    checkpoints.write(coupled.step(), timers.wall());
+  };
 
-  ProgressLines progress(log, end, c.section("output").real("progress_every_s"), timers.wall());
+  write_record("running");
+  ProgressLines progress(log, coupled, end, c.section("output").real("progress_every_s"), timers.wall());
   bool stopped = false;
   try {
     snapshots.write_due();
@@ -158,19 +204,24 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
       }
       progress.tell(step, traces, timers.wall());
       stopped = comm.any(common::stop_requested());
+      if (comm.any(checkpoints.due(timers.wall()))) write_checkpoint();
     }
   } catch (const SolverError& error) {
     traces.flush();
-    close_record("failed");
-    fail_at(coupled, options.out_dir, error);
+    write_record("failed");
+    fail_at(coupled, options.out_dir, checkpoints.last(), error);
   }
+  write_checkpoint();
   if (const auto beat = traces.finish()) log.line(beat_text(*beat));
-  close_record(stopped ? "stopped by a signal" : "finished");
+  write_record(stopped ? "stopped by a signal" : "finished");
   log.line(timers.table());
   if (stopped)
     log.line(
         fmt::format("stopped at t = {:.4f} s by a signal; all output is complete up to there", coupled.t()));
   log.line("results in " + options.out_dir);
+  log.line(
+      fmt::format("checkpoint {}\n{} {}", checkpoints.last(),
+                  stopped ? "to continue:" : "to go on with a later time.end_s:", options.continue_command));
   return 0;
 }
 

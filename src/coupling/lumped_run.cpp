@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/error.hpp"
 #include "common/log.hpp"
 #include "common/output_folder.hpp"
 #include "common/stop_signal.hpp"
@@ -48,6 +49,9 @@ struct AorticValve {
 
 int run_lumped(const CaseFile& c, const RunOptions& options)
 {
+  if (!options.restart.empty())
+    throw CaseError(
+        "", "a case without [[opening]] takes seconds and has no checkpoints; run it anew with --force");
   const Communicator comm;
   const Timers timers;
   const lumped::NetworkSpec spec = network_from_case(c);

@@ -207,9 +207,10 @@ CaseModel::CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers)
     : circulation_(network_from_case(c)),
       domain_(domain_from_case(c)),
       refinement_(refinement_from_case(c)),
-      structure_(structure_from_case(c, domain_, ib3d::finest_spacing(domain_, h_from_case(c), refinement_.levels))),
-      grid_(domain_, h_from_case(c), comm, ib3d::refine(domain_, h_from_case(c), refinement_, structure_.network.X),
-            structure_.network.X),
+      structure_(
+          structure_from_case(c, domain_, ib3d::finest_spacing(domain_, h_from_case(c), refinement_.levels))),
+      grid_(domain_, h_from_case(c), comm,
+            ib3d::refine(domain_, h_from_case(c), refinement_, structure_.network.X), structure_.network.X),
       root_(grid_, openings_from_case(c, domain_), fluid_from_case(c), pressure_from_case(c),
             structure_.network,
             c.section("structure").text("scheme") == "midpoint" ? ib3d::StructureScheme::midpoint

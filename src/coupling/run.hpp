@@ -10,12 +10,14 @@ namespace valsalva::coupling {
 struct RunOptions {
   std::string case_path;
   std::string out_dir;
-  bool force = false;          ///< replace what is in `out_dir`
-  std::string drawing_script;  ///< draws the pictures when the run has ended; may be missing
+  bool force = false;            ///< replace what is in `out_dir`
+  std::string restart;           ///< checkpoint to continue from: a file, "latest", or empty for a new run
+  std::string continue_command;  ///< what to type to continue this run, for people
+  std::string drawing_script;    ///< draws the pictures when the run has ended; may be missing
 };
 
 /// Runs the case and writes into `options.out_dir`, which this call creates. Returns the exit code: 0, also
-/// after a signal has ended the run early with all output complete. Throws CaseError (the same on all ranks),
+/// after a signal has ended the run early with all output complete and a checkpoint to continue from. Throws CaseError (the same on all ranks),
 /// SolverError, IoError.
 int run_case(const CaseFile& case_file, const RunOptions& options);
 

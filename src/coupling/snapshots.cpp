@@ -50,8 +50,9 @@ Snapshots::Snapshots(const std::string& folder, const CaseFile& c, CaseModel& mo
   const double never = std::numeric_limits<double>::infinity();
   fields_.every_s = c.section("output").real("fields_every_s");
   structure_.every_s = c.section("output").real("structure_every_s");
-  if (fields_.every_s == 0) fields_.next_s = never;
-  if (structure_.every_s == 0 || model.structure().network.node_count() == 0) structure_.next_s = never;
+  if (fields_.every_s == 0) fields_.every_s = fields_.next_s = never;
+  if (structure_.every_s == 0 || model.structure().network.node_count() == 0)
+    structure_.every_s = structure_.next_s = never;
   if (comm.is_root()) {
     for (const char* sub : {"fields", "structure"}) std::filesystem::create_directories(folder + "/" + sub);
     field_series_.emplace(folder + "/fields/fields.hdf.series");
@@ -65,15 +66,27 @@ void Snapshots::write_due()
   const double t = model_.model().t();
   if (fields_.due(t)) {
     write_fields(t);
-    fields_.done();
+    fields_.done(t);
   }
   if (structure_.due(t)) {
     if (structure_.count == 0) write_structure("wall.hdf", t, true);
     const std::string name = ib3d::numbered_file("leaflets", structure_.count);
     write_structure(name, t, false);
     if (structure_series_) structure_series_->add(name, t);
-    structure_.done();
+    structure_.done(t);
   }
+}
+
+void Snapshots::save_or_restore(Checkpoint& c)
+{
+  c("snapshots/fields", fields_.count);
+  c("snapshots/structure", structure_.count);
+  if (!c.reading()) return;
+  for (Schedule* s : {&fields_, &structure_}) s->plan_after(model_.model().t());
+  common::on_root(comm_, [&] {
+    field_series_->cut_to(fields_.count);
+    structure_series_->cut_to(structure_.count);
+  });
 }
 
 void Snapshots::write_fields(double t)

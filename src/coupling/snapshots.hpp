@@ -2,9 +2,11 @@
 // structure/leaflets_NNNN.hdf, and structure/wall.hdf once (the wall hardly moves). All calls are collective.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 
+#include "common/checkpoint.hpp"
 #include "common/comm.hpp"
 #include "coupling/model_from_case.hpp"
 #include "ib3d/output/file_series.hpp"
@@ -19,14 +21,23 @@ class Snapshots {
   double next_time() const { return std::min(fields_.next_s, structure_.next_s); }
   /// Writes what is due at the model's time.
   void write_due();
+  /// How many files there are; reading, the lists of files are cut back to that. The intervals may have changed.
+  void save_or_restore(Checkpoint& c);
 
  private:
   struct Schedule {
-    double every_s = 0, next_s = 0;
-    int count = 0;
-    bool due(double t) const { return t > next_s - 1e-9; }
-    void done() { next_s = ++count * every_s; }
+    double every_s = 0;  ///< infinite: never
+    double next_s = 0;
+    int count = 0;  ///< files so far
+    bool due(double t) const { return t > next_s - kSameTime_s; }
+    void plan_after(double t) { next_s = (std::floor((t + kSameTime_s) / every_s) + 1) * every_s; }
+    void done(double t)
+    {
+      ++count;
+      plan_after(t);
+    }
   };
+  static constexpr double kSameTime_s = 1e-9;
   void write_fields(double t);
   void write_structure(const std::string& path, double t, bool wall);
 

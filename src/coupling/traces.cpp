@@ -24,7 +24,8 @@ double along_z(const ib3d::Opening& o, double outward)
 }  // namespace
 
 Traces::Traces(const std::string& folder, const CaseFile& c, CaseModel& model, const Communicator& comm)
-    : model_(model),
+    : folder_(folder),
+      model_(model),
       comm_(comm),
       period_s_(network_from_case(c).period_s),
       every_(c.section("output").integer("traces_every_steps")),
@@ -41,24 +42,44 @@ Traces::Traces(const std::string& folder, const CaseFile& c, CaseModel& model, c
   for (const std::vector<int>& edge : model.structure().network.free_edges)
     edge_nodes_.insert(edge_nodes_.end(), edge.begin(), edge.end());
 
-  if (comm.is_root()) {
-    steps_.emplace(folder + "/step.csv",
-                   std::vector<std::string>{"step", "t_s", "dt_s", "cfl", "iterations", "rms_divergence_1_s",
-                                            "max_divergence_1_s", "wall_s", "dt_bound"});
-    std::vector<std::string> names{"t_s"};
-    for (const ib3d::Opening& o : model.root().fluid().openings()) names.push_back("p_" + o.port + "_mmHg");
-    for (const ib3d::Opening& o : model.root().fluid().openings()) names.push_back("Q_" + o.name + "_ml_s");
-    for (const auto& state : model.circulation().network().states()) names.push_back(state.name);
-    openings_.emplace(folder + "/openings.csv", names);
-    names = {"t_s"};
-    for (double z : probes_z_) names.push_back(fmt::format("p_z{:g}_mmHg", z));
-    for (const char* name :
-         {"Q_upstream_ml_s", "Q_valve_ml_s", "area_cm2", "fibre_strain_max", "tether_displacement_max_cm"})
-      names.emplace_back(name);
-    probes_.emplace(folder + "/probes.csv", names);
-    beats_.emplace(folder + "/beats.csv", beat_columns());
-  }
+  steps_ = {"step",
+            {"step", "t_s", "dt_s", "cfl", "iterations", "rms_divergence_1_s", "max_divergence_1_s", "wall_s",
+             "dt_bound"},
+            {}};
+  openings_ = {"openings", {"t_s"}, {}};
+  const std::vector<ib3d::Opening>& discs = model.root().fluid().openings();
+  for (const ib3d::Opening& o : discs) openings_.columns.push_back("p_" + o.port + "_mmHg");
+  for (const ib3d::Opening& o : discs) openings_.columns.push_back("Q_" + o.name + "_ml_s");
+  for (const auto& state : model.circulation().network().states()) openings_.columns.push_back(state.name);
+  probes_ = {"probes", {"t_s"}, {}};
+  for (double z : probes_z_) probes_.columns.push_back(fmt::format("p_z{:g}_mmHg", z));
+  for (const char* name :
+       {"Q_upstream_ml_s", "Q_valve_ml_s", "area_cm2", "fibre_strain_max", "tether_displacement_max_cm"})
+    probes_.columns.emplace_back(name);
+  beats_ = {"beats", beat_columns(), {}};
+}
+
+void Traces::begin()
+{
+  if (comm_.is_root())
+    for (File* file : {&steps_, &openings_, &probes_, &beats_})
+      file->writer.emplace(path_of(*file), file->columns);
   write_row({}, 0.0);
+}
+
+void Traces::save_or_restore(Checkpoint& c)
+{
+  c("traces/beat", beat_);
+  c("traces/samples", samples_);
+  for (File* file : {&steps_, &openings_, &probes_, &beats_}) {
+    std::int64_t position = 0;
+    if (!c.reading()) common::on_root(comm_, [&] { position = file->writer->position(); });
+    c("traces/" + file->name + "_bytes", position);
+    if (c.reading())
+      common::on_root(comm_, [&] {
+        file->writer.emplace(TimeSeriesWriter::continue_at(path_of(*file), file->columns, position));
+      });
+  }
 }
 
 std::vector<double> Traces::probe_row()
@@ -108,11 +129,11 @@ void Traces::write_row(const StepReport& step, double wall_s)
   for (std::size_t m = 0; m < discs.size(); ++m) row.push_back(along_z(discs[m], now.flow_ml_s[m]));
   const std::vector<double>& y = model_.circulation().state().y;
   row.insert(row.end(), y.begin(), y.end());
-  openings_->add(row);
-  probes_->add(probes);
-  steps_->add({static_cast<double>(step.step), now.t_s, step.dt_s, step.cfl,
-               static_cast<double>(step.iterations), step.divergence_rms, step.divergence_max, wall_s},
-              ib3d::limit_name(step.limited_by));
+  openings_.writer->add(row);
+  probes_.writer->add(probes);
+  steps_.writer->add({static_cast<double>(step.step), now.t_s, step.dt_s, step.cfl,
+                      static_cast<double>(step.iterations), step.divergence_rms, step.divergence_max, wall_s},
+                     ib3d::limit_name(step.limited_by));
 }
 
 std::optional<BeatMetrics> Traces::record(const StepReport& step, double wall_s)
@@ -126,7 +147,7 @@ std::optional<BeatMetrics> Traces::record(const StepReport& step, double wall_s)
 BeatMetrics Traces::close_beat()
 {
   const BeatMetrics metrics = measure_beat(beat_, samples_);
-  if (beats_) beats_->add(beat_row(metrics));
+  if (beats_.writer) beats_.writer->add(beat_row(metrics));
   samples_ = {samples_.back()};
   ++beat_;
   flush();
@@ -144,8 +165,8 @@ std::optional<BeatMetrics> Traces::finish()
 
 void Traces::flush()
 {
-  for (auto* file : {&steps_, &openings_, &probes_, &beats_})
-    if (*file) (*file)->flush();
+  for (File* file : {&steps_, &openings_, &probes_, &beats_})
+    if (file->writer) file->writer->flush();
 }
 
 }  // namespace valsalva::coupling

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "common/checkpoint.hpp"
 #include "common/comm.hpp"
 #include "common/time_series.hpp"
 #include "coupling/beat_metrics.hpp"
@@ -14,9 +15,12 @@ namespace valsalva::coupling {
 
 class Traces {
  public:
-  /// Creates the files in `folder` and writes the row of t = 0.
   Traces(const std::string& folder, const CaseFile& c, CaseModel& model, const Communicator& comm);
 
+  /// Creates the files and writes the row of t = 0.
+  void begin();
+  /// The beat under way and the ends of the files; reading, cuts the files back to there and goes on behind.
+  void save_or_restore(Checkpoint& c);
   /// One more step; returns the beat's metrics when the step ends a beat.
   std::optional<BeatMetrics> record(const StepReport& step, double wall_s);
   /// The row of the beat under way, when the run ends within it; returns its metrics.
@@ -30,10 +34,17 @@ class Traces {
   double beat_end() const { return beat_ * period_s_; }
 
  private:
+  struct File {
+    std::string name;
+    std::vector<std::string> columns;
+    std::optional<TimeSeriesWriter> writer;  ///< on rank 0
+  };
+  std::string path_of(const File& file) const { return folder_ + "/" + file.name + ".csv"; }
   void write_row(const StepReport& step, double wall_s);
   std::vector<double> probe_row();
   BeatMetrics close_beat();
 
+  std::string folder_;
   CaseModel& model_;
   Communicator comm_;
   double period_s_;
@@ -41,7 +52,7 @@ class Traces {
   std::vector<double> probes_z_, center_;
   double valve_radius_ = 0, upstream_z_ = 0, downstream_z_ = 0, downstream_radius_ = 0;
   std::vector<int> edge_nodes_;
-  std::optional<TimeSeriesWriter> steps_, openings_, probes_, beats_;  ///< on rank 0
+  File steps_, openings_, probes_, beats_;
   std::vector<BeatSample> samples_;
   double q_upstream_ = 0, q_downstream_ = 0, orifice_ = -1;
 };

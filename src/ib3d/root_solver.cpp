@@ -98,4 +98,14 @@ double RootSolver::elastic_rate()
   return elastic_.omega();
 }
 
+void RootSolver::save_or_restore(Checkpoint& c)
+{
+  fluid_.save_or_restore(c);
+  nodes_.save_or_restore(c);
+  nodes_.save_or_restore(c, "structure/X", X_);
+  if (c.reading()) check_and_redistribute();  // other ranks may have other patches
+  elastic_.save_or_restore(c, nodes_);
+  c("structure/steps_since_elastic", steps_since_elastic_);
+}
+
 }  // namespace valsalva::ib3d

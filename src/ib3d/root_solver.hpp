@@ -38,6 +38,9 @@ class RootSolver {
   /// Positions of the local nodes, owned ones first, copies after them (current up to the last `accept`).
   const std::vector<Vec3>& X() const { return X_; }
 
+  /// Everything at t^n, between steps. Collective.
+  void save_or_restore(Checkpoint& c);
+
  private:
   void check_and_redistribute();
 

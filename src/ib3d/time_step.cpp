@@ -41,4 +41,16 @@ double ElasticBound::update(const NodeOwner& nodes, const Interaction& interacti
   return omega_;
 }
 
+void ElasticBound::save_or_restore(Checkpoint& c, const NodeOwner& nodes)
+{
+  c("structure/omega", omega_);
+  int started = v_.empty() ? 0 : 1;
+  MPI_Allreduce(MPI_IN_PLACE, &started, 1, MPI_INT, MPI_MAX, level_.comm);
+  c("structure/eigenvector_started", started);
+  if (started)
+    nodes.save_or_restore(c, "structure/eigenvector", v_);
+  else
+    restart();
+}
+
 }  // namespace valsalva::ib3d

@@ -41,6 +41,7 @@ class ElasticBound {
   /// Forgets the eigenvector: call after nodes have changed ranks (the estimate of omega is kept until the
   /// next update).
   void restart() { v_.clear(); }
+  void save_or_restore(Checkpoint& c, const NodeOwner& nodes);
 
  private:
   Level level_;

@@ -39,13 +39,18 @@ TEST(TimeSeriesCsv, ReadsBackWhatWasWrittenToNineDigits)
 TEST(TimeSeriesCsv, ContinuedFileHoldsEveryTimeOnceAndNoTornRow)
 {
   const std::string path = file_of_this_test();
+  std::int64_t position = 0;
   {
     TimeSeriesWriter writer(path, {"t_s", "p_mmHg"});
-    for (int i = 0; i <= 10; ++i) writer.add({0.1 * i, 1.0 * i});
+    for (int i = 0; i <= 10; ++i) {
+      if (i == 8) position = writer.position();
+      writer.add({0.1 * i, 1.0 * i});
+    }
   }
   std::ofstream(path, std::ios::app) << "1.1,1";
   {
-    TimeSeriesWriter writer = TimeSeriesWriter::continue_at(path, {"t_s", "p_mmHg"}, 0.7);
+    TimeSeriesWriter writer = TimeSeriesWriter::continue_at(path, {"t_s", "p_mmHg"}, position);
+    EXPECT_EQ(writer.position(), position);
     for (int i = 8; i <= 12; ++i) writer.add({0.1 * i, -1.0 * i});
   }
   const TimeSeries series = read_time_series(path);
@@ -55,12 +60,13 @@ TEST(TimeSeriesCsv, ContinuedFileHoldsEveryTimeOnceAndNoTornRow)
   EXPECT_DOUBLE_EQ(series.column("t_s")[12], 1.2);
 }
 
-TEST(TimeSeriesCsv, IsNotContinuedWithOtherColumns)
+TEST(TimeSeriesCsv, IsNotContinuedWithOtherColumnsNorWithoutItsRows)
 {
   const std::string path = file_of_this_test();
   TimeSeriesWriter(path, {"t_s", "p_mmHg"}).add({0.0, 1.0});
-  EXPECT_THROW(TimeSeriesWriter::continue_at(path, {"t_s", "p_kPa"}, 1.0), IoError);
-  EXPECT_THROW(TimeSeriesWriter::continue_at(path + ".missing", {"t_s"}, 1.0), IoError);
+  EXPECT_THROW(TimeSeriesWriter::continue_at(path, {"t_s", "p_kPa"}, 11), IoError);
+  EXPECT_THROW(TimeSeriesWriter::continue_at(path, {"t_s", "p_mmHg"}, 1000), IoError);
+  EXPECT_THROW(TimeSeriesWriter::continue_at(path + ".missing", {"t_s"}, 3), IoError);
 }
 
 TEST(TimeSeriesCsv, BadTablesAreRefusedWithTheirLine)

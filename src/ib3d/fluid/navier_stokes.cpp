@@ -1,8 +1,11 @@
 #include "ib3d/fluid/navier_stokes.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "ib3d/fluid/row_kernels.hpp"
+#include "ib3d/grid/field_checkpoint.hpp"
 #include "ib3d/grid/mirror.hpp"
 
 namespace valsalva::ib3d {
@@ -164,6 +167,20 @@ void NavierStokes::finish_step(const std::vector<double>& phi)
   average_down(u_new_);
   fill_velocity_ghosts(u_new_);
   std::swap(u_, u_new_);
+}
+
+void NavierStokes::save_or_restore(Checkpoint& c)
+{
+  c("fluid/dt", dt_);
+  for (std::size_t l = 0; l < u_.size(); ++l) {
+    const std::string name = fmt::format("fluid/level_{}/", l);
+    const Level& level = grid_.levels()[l];
+    ib3d::save_or_restore(c, name + "u", level, u_[l]);
+    ib3d::save_or_restore(c, name + "rate", level, rate_[l]);
+    ib3d::save_or_restore(c, name + "p", level, p_[l]);
+    ib3d::save_or_restore(c, name + "p_before", level, p_before_[l]);
+  }
+  if (c.reading()) fill_velocity_ghosts(u_);
 }
 
 }  // namespace valsalva::ib3d

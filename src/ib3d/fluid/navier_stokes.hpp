@@ -8,6 +8,7 @@
 // pressures by phi between the last two calls. Fields have one entry per level. All calls are collective.
 #pragma once
 
+#include "common/checkpoint.hpp"
 #include "ib3d/fluid/momentum.hpp"
 #include "ib3d/fluid/opening_modes.hpp"
 
@@ -48,6 +49,8 @@ class NavierStokes {
   double courant_rate() const;
   /// Replaces the velocity (all faces of the local patches), forgetting the history: for initial conditions and tests.
   void set_velocity(const CompositeMac& u);
+  /// What the next step needs of the last one. Collective.
+  void save_or_restore(Checkpoint& c);
 
  private:
   void advance_velocity(const std::vector<const MacField*>& f, double dt);

@@ -6,7 +6,8 @@
 namespace valsalva::ib3d {
 
 Tiles::Tiles(const IndexBox& cells)
-    : box_{{0, 0, 0}, {cells.hi[0] / kBlockingFactor, cells.hi[1] / kBlockingFactor, cells.hi[2] / kBlockingFactor}},
+    : box_{{0, 0, 0},
+           {cells.hi[0] / kBlockingFactor, cells.hi[1] / kBlockingFactor, cells.hi[2] / kBlockingFactor}},
       tag_(static_cast<std::size_t>(box_.volume()), 0)
 {
 }
@@ -16,7 +17,9 @@ void Tiles::add(const IndexBox& cells, const Domain& domain)
   IndexBox tiles;
   for (int d = 0; d < 3; ++d) {
     const auto dd = static_cast<std::size_t>(d);
-    const auto tile = [](int c) { return (c - (((c % kBlockingFactor) + kBlockingFactor) % kBlockingFactor)) / kBlockingFactor; };
+    const auto tile = [](int c) {
+      return (c - (((c % kBlockingFactor) + kBlockingFactor) % kBlockingFactor)) / kBlockingFactor;
+    };
     tiles.lo[dd] = tile(cells.lo[dd]);
     tiles.hi[dd] = tile(cells.hi[dd] - 1) + 1;
     if (domain.periodic(d)) continue;
@@ -37,7 +40,8 @@ void Tiles::fill_enclosed()
     const auto at = [&](int i, int j) { return static_cast<std::size_t>(i + box_.hi[0] * j); };
     std::vector<Int3> front;
     const auto reach = [&](int i, int j) {
-      if (i < 0 || j < 0 || i >= box_.hi[0] || j >= box_.hi[1] || outside[at(i, j)] != 0 || (*this)(i, j, k)) return;
+      if (i < 0 || j < 0 || i >= box_.hi[0] || j >= box_.hi[1] || outside[at(i, j)] != 0 || (*this)(i, j, k))
+        return;
       outside[at(i, j)] = 1;
       front.push_back({i, j, k});
     };

@@ -36,9 +36,11 @@ Refinement refine(const Domain& domain, double h, const RefinementPolicy& policy
       for (const Vec3& x : nodes) tags.add(support_of(x, h_l, policy.margin_cells), domain);
       if (policy.lumen) tags.fill_enclosed();
     } else {
-      for (const IndexBox& finer : boxes[static_cast<std::size_t>(l)]) tags.add(finer.coarsened().grown(kNestingBuffer), domain);
+      for (const IndexBox& finer : boxes[static_cast<std::size_t>(l)])
+        tags.add(finer.coarsened().grown(kNestingBuffer), domain);
     }
-    for (const std::span<const RefinedRegion> regions : {std::span<const RefinedRegion>(policy.regions), tagged})
+    for (const std::span<const RefinedRegion> regions :
+         {std::span<const RefinedRegion>(policy.regions), tagged})
       for (const RefinedRegion& r : regions)
         if (r.level == l) tags.add(cells_of(r, h_l), domain);
     boxes[static_cast<std::size_t>(l) - 1] = cluster(tags);

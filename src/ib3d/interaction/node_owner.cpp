@@ -204,4 +204,22 @@ std::vector<Vec3> NodeOwner::redistribute(const std::vector<Vec3>& X)
   return part_.network.X;
 }
 
+void NodeOwner::save_or_restore(Checkpoint& c)
+{
+  std::vector<Vec3> X = gather(part_.network.X);
+  c("structure/X_distributed", X);
+  if (X.size() != whole_.X.size())
+    throw IoError(fmt::format("{}: {} nodes, but the case builds {}", c.path(), X.size(), whole_.X.size()));
+  if (c.reading()) distribute(X);
+}
+
+void NodeOwner::save_or_restore(Checkpoint& c, const std::string& name, std::vector<Vec3>& values) const
+{
+  std::vector<Vec3> all = c.reading() ? std::vector<Vec3>{} : gather(values);
+  c(name, all);
+  if (!c.reading()) return;
+  values.clear();
+  for (int node : part_.global) values.push_back(all.at(static_cast<std::size_t>(node)));
+}
+
 }  // namespace valsalva::ib3d

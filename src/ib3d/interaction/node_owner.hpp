@@ -3,8 +3,10 @@
 // (FiberNetwork) is replicated.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "common/checkpoint.hpp"
 #include "ib3d/grid/hierarchy.hpp"
 #include "ib3d/structure/fiber_network.hpp"
 
@@ -34,6 +36,12 @@ class NodeOwner {
   /// Assigns every node to its patch anew and returns the new local positions, copies included. Collective.
   /// Throws SolverError when a node has left the domain by more than the drift.
   std::vector<Vec3> redistribute(const std::vector<Vec3>& X);
+
+  /// The positions at which the nodes were last distributed: from them the same ranks find the same order of
+  /// nodes, and sums over nodes repeat bit for bit. Collective.
+  void save_or_restore(Checkpoint& c);
+  /// Values of the nodes, in global order in the file. Collective.
+  void save_or_restore(Checkpoint& c, const std::string& name, std::vector<Vec3>& values) const;
 
  private:
   void distribute(const std::vector<Vec3>& X_global);

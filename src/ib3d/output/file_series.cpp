@@ -26,9 +26,16 @@ FileSeries::FileSeries(std::string path) : path_(std::move(path))
   if (!recognised) throw IoError(path_ + ": not a file series; remove it or choose another output folder");
 }
 
+void FileSeries::cut_to(int count)
+{
+  if (static_cast<std::size_t>(count) > entries_.size())
+    throw IoError(path_ + ": files that were listed at the checkpoint are missing");
+  entries_.resize(static_cast<std::size_t>(count));
+  if (count > 0) write();
+}
+
 void FileSeries::add(const std::string& name, double time_s)
 {
-  std::erase_if(entries_, [time_s](const Entry& e) { return e.time_s >= time_s; });
   entries_.push_back({name, time_s});
   write();
 }

@@ -2,8 +2,8 @@
 // fields_0000.hdf, ...
 //   { "file-series-version" : "1.0", "files" : [ { "name" : "fields_0000.hdf", "time" : 0.0 }, ... ] }
 // Rewritten as a whole and renamed into place at every addition, so that it can be opened while a run goes
-// on. A run that continues from a checkpoint finds the entries of before; those at or after a new entry's
-// time are dropped. Not collective: one rank keeps the series.
+// on. A run that continues from a checkpoint finds the entries of before and drops the later ones. Not
+// collective: one rank keeps the series.
 #pragma once
 
 #include <string>
@@ -22,6 +22,8 @@ class FileSeries {
   /// program.
   explicit FileSeries(std::string path);
 
+  /// Keeps the first `count` entries and rewrites the series; IoError if there are fewer.
+  void cut_to(int count);
   /// Adds a file and rewrites the series; IoError if that fails.
   void add(const std::string& name, double time_s);
   const std::vector<Entry>& entries() const { return entries_; }

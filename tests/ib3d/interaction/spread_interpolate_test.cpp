@@ -135,7 +135,7 @@ void expect_adjoint(const Domain& domain, int boxes, double margin)
   for (int p = 0; p < level.local_count(); ++p)
     for (int c = 0; c < 3; ++c)
       for_each_owned_face(level, p, c,
-                     [&](int i, int j, int k) { eulerian += u(p, c)(i, j, k) * x.f(p, c)(i, j, k); });
+                          [&](int i, int j, int k) { eulerian += u(p, c)(i, j, k) * x.f(p, c)(i, j, k); });
   eulerian = sum(eulerian) * std::pow(level.h, 3);
   EXPECT_GT(std::abs(lagrangian), 0.1);
   EXPECT_NEAR(eulerian / lagrangian, 1.0, 1e-12);

@@ -44,7 +44,9 @@ TEST(FileSeries, ContinuedRunReplacesTheEntriesAfterItsCheckpoint)
   const std::string path = own_file("leaflets.hdf.series");
   for (int n = 0; n < 4; ++n) FileSeries(path).add(numbered_file("leaflets", n), 0.1 * n);
   FileSeries series(path);
+  series.cut_to(2);
   series.add(numbered_file("leaflets", 2), 0.1 * 2);
+  EXPECT_THROW(series.cut_to(4), IoError);
   ASSERT_EQ(series.entries().size(), 3U);
   EXPECT_EQ(series.entries()[1].time_s, 0.1);
   EXPECT_EQ(series.entries()[2].name, "leaflets_0002.hdf");

@@ -42,4 +42,13 @@ TEST(Ranks, ErrorOfOneRankAtTheEndIsTheCodeOfAll)
   EXPECT_EQ(end_together(comm, last_rank_fails), 4);
 }
 
+TEST(OnRoot, AFailureOfRankZeroIsAFailureOfAllRanks)
+{
+  const Communicator comm;
+  int runs = 0;
+  on_root(comm, [&] { ++runs; });
+  EXPECT_EQ(comm.sum(runs), 1);
+  EXPECT_THROW(on_root(comm, [] { throw IoError("the disk is full"); }), IoError);
+}
+
 }  // namespace valsalva::common

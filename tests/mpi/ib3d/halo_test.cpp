@@ -135,7 +135,7 @@ TEST(Halo, AccumulateIsTheTransposeOfFill)
       for (int c = 0; c < 3; ++c) {
         filled(p, c).set_zero();
         for_each_owned_face(level, p, c,
-                       [&](int i, int j, int k) { filled(p, c)(i, j, k) = u(p, c)(i, j, k); });
+                            [&](int i, int j, int k) { filled(p, c)(i, j, k) = u(p, c)(i, j, k); });
       }
     halo.fill(filled);
     const double everywhere = product(level, filled, f, false);

@@ -9,6 +9,7 @@
 
 #include "common/error.hpp"
 #include "ib3d/fluid/tube.hpp"
+#include "ib3d/output/mpi_session.hpp"
 #include "ib3d/structure/fiber_force.hpp"
 #include "ib3d/structure/random_network.hpp"
 
@@ -127,6 +128,33 @@ TEST(NodeOwner, LostNodesAndNumbersThatAreNoneAreErrorsOnAllRanks)
         EXPECT_TRUE(nodes.has_strays(X));
       }
     EXPECT_THROW(nodes.redistribute(X), SolverError);
+  }
+}
+
+TEST(NodeOwner, ACheckpointBringsBackTheOrderOfTheNodesAndWhatTheyCarry)
+{
+  const std::string path = shared_file("nodes.h5");
+  for (const int boxes : {0, 8}) {
+    const Hierarchy grid(walled_box(kSize), 0.125, MPI_COMM_WORLD, boxes);
+    NodeOwner before(network(), grid.finest()), after(network(), grid.finest());
+    std::vector<Vec3> X = before.redistribute(local_values(before, positions(1))), restored;
+    // Later positions: in their own order of cells the nodes would be sorted otherwise.
+    std::vector<Vec3> drifted = positions(1), elsewhere = random_vectors(kNodes, 77);
+    for (std::size_t n = 0; n < drifted.size(); ++n) drifted[n] += 0.1 * elsewhere[n];
+    X = local_values(before, drifted);
+    {
+      Checkpoint c = Checkpoint::create(path, MPI_COMM_WORLD);
+      before.save_or_restore(c);
+      before.save_or_restore(c, "X", X);
+      c.close();
+    }
+    Checkpoint c = Checkpoint::open(path, MPI_COMM_WORLD);
+    after.save_or_restore(c);
+    after.save_or_restore(c, "X", restored);
+    EXPECT_EQ(after.part().global, before.part().global);
+    EXPECT_EQ(after.part().owned, before.part().owned);
+    EXPECT_EQ(after.first(), before.first());
+    EXPECT_TRUE(restored == X);
   }
 }
 
