@@ -35,6 +35,9 @@ std::vector<KeySection> numerics_sections()
         integer("margin_cells", "Finest cells that the structure may move before the grid follows")
             .in(1, 64)
             .or_else(2),
+        real("vorticity_1_s", "1/s", "Refine where the vorticity is larger; 0: not for its sake")
+            .at_least(0)
+            .or_else(0.0),
         flag("lumen", "Refine what the structure encloses in planes across z, not only what is near it")
             .or_else(true)}},
       {"fluid",

@@ -33,21 +33,21 @@ std::vector<double> in_dyn_cm2(const Eigen::VectorXd& p_mmHg)
 
 CoupledModel::CoupledModel(ib3d::RootSolver& root, Circulation& circulation, CouplingScheme scheme,
                            const StepControl& control, Timers& timers)
-    : root_(root),
-      circulation_(circulation),
-      scheme_(scheme),
-      control_(control),
-      timers_(timers),
-      conductance_(common::kMmHg * root.fluid().modes().conductance())
+    : root_(root), circulation_(circulation), scheme_(scheme), control_(control), timers_(timers)
 {
   const std::vector<double> none(static_cast<std::size_t>(circulation.port_count()), 0.0);
   interface_ = {circulation.state().t, circulation.pressures(none), none};
   flow_before_ = none;
 }
 
+Eigen::MatrixXd CoupledModel::conductance() const
+{
+  return common::kMmHg * root_.fluid().modes().conductance();
+}
+
 double CoupledModel::inertance(int m) const
 {
-  return 1 / conductance_(m, m);
+  return 1 / conductance()(m, m);
 }
 
 ib3d::StepBound CoupledModel::next_step(double t_stop)
@@ -95,7 +95,7 @@ StepReport CoupledModel::advance(const ib3d::StepBound& step)
 
   predict_pressures(dt);                                                         // (4.1)
   const Eigen::VectorXd Q0 = as_vector(root_.solve_fluid(in_dyn_cm2(p_used_)));  // (3.1), (4.2)
-  const Eigen::MatrixXd G = dt * conductance_;
+  const Eigen::MatrixXd G = dt * conductance();
   Eigen::VectorXd phi = Eigen::VectorXd::Zero(Q0.size());
   if (scheme_ == CouplingScheme::implicit_) {
     const auto scope = timers_.time("circulation");

@@ -56,6 +56,7 @@ class CoupledModel {
   void save_or_restore(Checkpoint& c);
 
  private:
+  Eigen::MatrixXd conductance() const;  ///< W in ml/s^2 per mmHg
   void predict_pressures(double dt);
   void check_numbers(double dt, const Eigen::VectorXd& Q) const;
 
@@ -64,7 +65,6 @@ class CoupledModel {
   CouplingScheme scheme_;
   StepControl control_;
   Timers& timers_;
-  Eigen::MatrixXd conductance_;  ///< W in ml/s^2 per mmHg
   InterfaceState interface_;
   std::vector<double> flow_before_;
   Eigen::VectorXd p_used_;

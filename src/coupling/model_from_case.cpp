@@ -134,7 +134,8 @@ ib3d::Domain domain_from_case(const CaseFile& c)
 ib3d::RefinementPolicy refinement_from_case(const CaseFile& c)
 {
   const CaseTable& t = c.section("grid");
-  ib3d::RefinementPolicy policy{t.integer("levels"), t.integer("margin_cells"), t.flag("lumen"), {}};
+  ib3d::RefinementPolicy policy{
+      t.integer("levels"), t.integer("margin_cells"), t.flag("lumen"), t.real("vorticity_1_s"), {}};
   const auto corner = [](const std::vector<double>& x) { return Vec3{x[0], x[1], x[2]}; };
   for (const CaseTable& r : c.tables("refine"))
     policy.regions.push_back({corner(r.reals("lo_cm")), corner(r.reals("hi_cm")), r.integer("level")});
@@ -209,13 +210,13 @@ CaseModel::CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers)
       refinement_(refinement_from_case(c)),
       structure_(
           structure_from_case(c, domain_, ib3d::finest_spacing(domain_, h_from_case(c), refinement_.levels))),
-      grid_(domain_, h_from_case(c), comm,
-            ib3d::refine(domain_, h_from_case(c), refinement_, structure_.network.X), structure_.network.X),
-      root_(grid_, openings_from_case(c, domain_), fluid_from_case(c), pressure_from_case(c),
-            structure_.network,
+      root_(ib3d::Hierarchy(domain_, h_from_case(c), comm,
+                            ib3d::refine(domain_, h_from_case(c), refinement_, structure_.network.X),
+                            structure_.network.X),
+            openings_from_case(c, domain_), fluid_from_case(c), pressure_from_case(c), structure_.network,
             c.section("structure").text("scheme") == "midpoint" ? ib3d::StructureScheme::midpoint
                                                                 : ib3d::StructureScheme::leapfrog,
-            timers),
+            timers, refinement_),
       model_(root_, circulation_,
              c.section("coupling").text("scheme") == "explicit" ? CouplingScheme::explicit_
                                                                 : CouplingScheme::implicit_,

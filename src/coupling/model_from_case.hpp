@@ -36,7 +36,7 @@ class CaseModel {
   CaseModel(const CaseModel&) = delete;
   CaseModel& operator=(const CaseModel&) = delete;
 
-  const ib3d::Hierarchy& grid() const { return grid_; }
+  const ib3d::Hierarchy& grid() const { return root_.fluid().grid(); }
   const Structure& structure() const { return structure_; }
   ib3d::RootSolver& root() { return root_; }
   Circulation& circulation() { return circulation_; }
@@ -47,7 +47,6 @@ class CaseModel {
   ib3d::Domain domain_;
   ib3d::RefinementPolicy refinement_;
   Structure structure_;
-  ib3d::Hierarchy grid_;
   ib3d::RootSolver root_;
   CoupledModel model_;
 };

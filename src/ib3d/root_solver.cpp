@@ -1,5 +1,11 @@
 #include "ib3d/root_solver.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "ib3d/fluid/vorticity.hpp"
+#include "ib3d/grid/field_checkpoint.hpp"
 #include "ib3d/structure/fiber_force.hpp"
 
 namespace valsalva::ib3d {
@@ -12,15 +18,17 @@ constexpr int kStepsBetweenElasticSweeps = 30;
 
 RootSolver::RootSolver(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
                        const PressureOptions& pressure, FiberNetwork structure, StructureScheme scheme,
-                       Timers& timers)
+                       Timers& timers, RefinementPolicy refinement)
     : scheme_(scheme),
       timers_(timers),
-      fluid_(grid, std::move(openings), fluid, pressure),
+      refinement_(std::move(refinement)),
+      fluid_(std::make_unique<NavierStokes>(grid, std::move(openings), fluid, pressure)),
       nodes_(std::move(structure), grid.finest()),
       interaction_(grid.finest()),
       elastic_(grid.finest(), fluid.density),
       f_(grid.finest()),
-      X_(nodes_.part().network.X)
+      X_(nodes_.part().network.X),
+      X_of_grid_(nodes_.whole().X)
 {
 }
 
@@ -33,7 +41,7 @@ void RootSolver::begin_step(double dt)
   const std::vector<Vec3>* forced_at = &X_;
   if (scheme_ == StructureScheme::midpoint) {
     const auto scope = timers_.time("interpolate");
-    interaction_.interpolate(nodes_.first(), X_, fluid_.u().back(), U_);
+    interaction_.interpolate(nodes_.first(), X_, fluid_->u().back(), U_);
     X_middle_.resize(count);
     for (std::size_t n = 0; n < count; ++n) X_middle_[n] = X_[n] + 0.5 * dt * U_[n];
     nodes_.fill_copies(X_middle_);
@@ -48,33 +56,37 @@ void RootSolver::begin_step(double dt)
     interaction_.spread(nodes_.first(), *forced_at, F_, f_);
   }
   const auto scope = timers_.time("momentum");
-  fluid_.begin_step(f_, dt);
+  fluid_->begin_step(f_, dt);
 }
 
 std::vector<double> RootSolver::solve_fluid(const std::vector<double>& opening_pressure)
 {
   const auto scope = timers_.time("projection");
-  return fluid_.solve_pressure(opening_pressure);
+  return fluid_->solve_pressure(opening_pressure);
 }
 
 void RootSolver::accept(const std::vector<double>& phi)
 {
   {
     const auto scope = timers_.time("projection");
-    fluid_.finish_step(phi);
+    fluid_->finish_step(phi);
   }
   {
     const auto scope = timers_.time("interpolate");
     if (scheme_ == StructureScheme::midpoint) {
       U_before_.resize(U_.size());
-      interaction_.interpolate(nodes_.first(), X_middle_, fluid_.u_before().back(), U_before_);
-      interaction_.interpolate(nodes_.first(), X_middle_, fluid_.u().back(), U_);
+      interaction_.interpolate(nodes_.first(), X_middle_, fluid_->u_before().back(), U_before_);
+      interaction_.interpolate(nodes_.first(), X_middle_, fluid_->u().back(), U_);
       for (std::size_t n = 0; n < U_.size(); ++n) U_[n] = 0.5 * (U_[n] + U_before_[n]);
     } else {
-      interaction_.interpolate(nodes_.first(), X_, fluid_.u().back(), U_);
+      interaction_.interpolate(nodes_.first(), X_, fluid_->u().back(), U_);
     }
-    for (int n = 0; n < nodes_.owned(); ++n)
-      X_[static_cast<std::size_t>(n)] += dt_ * U_[static_cast<std::size_t>(n)];
+    double fastest = 0;
+    for (std::size_t n = 0; n < static_cast<std::size_t>(nodes_.owned()); ++n) {
+      X_[n] += dt_ * U_[n];
+      fastest = std::max({fastest, std::abs(U_[n][0]), std::abs(U_[n][1]), std::abs(U_[n][2])});
+    }
+    moved_cells_ += dt_ * fastest / fluid_->grid().finest().h;
     nodes_.fill_copies(X_);
   }
   const auto scope = timers_.time("step control");
@@ -83,12 +95,49 @@ void RootSolver::accept(const std::vector<double>& phi)
 
 void RootSolver::check_and_redistribute()
 {
-  double state[2] = {fluid_.courant_rate(), nodes_.has_strays(X_) ? 1.0 : 0.0};
-  MPI_Allreduce(MPI_IN_PLACE, state, 2, MPI_DOUBLE, MPI_MAX, fluid_.grid().comm());
+  double state[3] = {fluid_->courant_rate(), nodes_.has_strays(X_) ? 1.0 : 0.0, moved_cells_};
+  MPI_Allreduce(MPI_IN_PLACE, state, 3, MPI_DOUBLE, MPI_MAX, fluid_->grid().comm());
   courant_rate_ = state[0];
+  moved_cells_ = refinement_.vorticity > 0 ? state[2] + dt_ * courant_rate_ : state[2];
+  if (refinement_.levels > 1 && moved_cells_ > refinement_.margin_cells - 0.5) regrid_if_moved();
   if (state[1] == 0) return;
   X_ = nodes_.redistribute(X_);
   elastic_.restart();
+}
+
+void RootSolver::regrid_if_moved()
+{
+  const std::vector<Vec3> X = nodes_.gather(X_);
+  const Hierarchy& grid = fluid_->grid();
+  if (refinement_.vorticity == 0) {  // what the nodes have really moved
+    double furthest = 0;
+    for (std::size_t n = 0; n < X.size(); ++n)
+      for (int d = 0; d < 3; ++d) furthest = std::max(furthest, std::abs(X[n][d] - X_of_grid_[n][d]));
+    moved_cells_ = furthest / grid.finest().h;
+    if (moved_cells_ < refinement_.margin_cells - 1) return;
+  }
+  std::vector<RefinedRegion> vortical;
+  if (refinement_.vorticity > 0) vortical = vortical_blocks(grid, fluid_->u(), refinement_.vorticity);
+  const Refinement boxes = refine(grid.domain(), grid.finest().h, refinement_, X, vortical);
+  moved_cells_ = 0;
+  if (boxes == grid.refinement())
+    X_of_grid_ = X;  // the same grid serves
+  else
+    rebuild(boxes, X);
+}
+
+void RootSolver::rebuild(const Refinement& boxes, const std::vector<Vec3>& X)
+{
+  const Hierarchy before = fluid_->grid();
+  const Hierarchy grid(before.domain(), before.finest().h, before.comm(), boxes, X);
+  fluid_ = std::make_unique<NavierStokes>(grid, *fluid_);
+  nodes_.move_to(grid.finest(), X);
+  interaction_ = Interaction(grid.finest());
+  elastic_ = ElasticBound(grid.finest(), fluid_->fluid().density);
+  steps_since_elastic_ = 0;
+  f_ = MacField(grid.finest());
+  X_ = nodes_.part().network.X;
+  X_of_grid_ = X;
 }
 
 double RootSolver::elastic_rate()
@@ -100,7 +149,15 @@ double RootSolver::elastic_rate()
 
 void RootSolver::save_or_restore(Checkpoint& c)
 {
-  fluid_.save_or_restore(c);
+  std::vector<Vec3> X = X_of_grid_;
+  Refinement boxes = fluid_->grid().refinement();
+  c("grid/made_for_X", X);
+  c("grid/moved_cells", moved_cells_);
+  ib3d::save_or_restore(c, "grid", boxes);
+  if (c.reading() && (boxes != fluid_->grid().refinement() ||
+                      std::memcmp(X.data(), X_of_grid_.data(), X.size() * sizeof(Vec3)) != 0))
+    rebuild(boxes, X);
+  fluid_->save_or_restore(c);
   nodes_.save_or_restore(c);
   nodes_.save_or_restore(c, "structure/X", X_);
   if (c.reading()) check_and_redistribute();  // other ranks may have other patches

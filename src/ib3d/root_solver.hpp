@@ -10,8 +10,11 @@
 // All calls are collective. dyn, cm, s.
 #pragma once
 
+#include <memory>
+
 #include "common/timers.hpp"
 #include "ib3d/fluid/navier_stokes.hpp"
+#include "ib3d/grid/refinement.hpp"
 #include "ib3d/time_step.hpp"
 
 namespace valsalva::ib3d {
@@ -20,9 +23,11 @@ enum class StructureScheme { leapfrog, midpoint };
 
 class RootSolver {
  public:
-  /// Throws CaseError when a node lies outside the domain.
+  /// `refinement` says when and how the grid follows the structure and the flow. Throws CaseError when a node lies
+  /// outside the domain.
   RootSolver(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
-             const PressureOptions& pressure, FiberNetwork structure, StructureScheme scheme, Timers& timers);
+             const PressureOptions& pressure, FiberNetwork structure, StructureScheme scheme, Timers& timers,
+             RefinementPolicy refinement = {});
 
   void begin_step(double dt);
   std::vector<double> solve_fluid(const std::vector<double>& opening_pressure);
@@ -33,7 +38,7 @@ class RootSolver {
   /// omega_max of the structure (1/s), refreshed every few steps.
   double elastic_rate();
 
-  const NavierStokes& fluid() const { return fluid_; }
+  const NavierStokes& fluid() const { return *fluid_; }
   const NodeOwner& nodes() const { return nodes_; }
   /// Positions of the local nodes, owned ones first, copies after them (current up to the last `accept`).
   const std::vector<Vec3>& X() const { return X_; }
@@ -43,16 +48,22 @@ class RootSolver {
 
  private:
   void check_and_redistribute();
+  void regrid_if_moved();
+  /// Moves everything to refined levels of these boxes, made for nodes at X (all of them).
+  void rebuild(const Refinement& boxes, const std::vector<Vec3>& X);
 
   StructureScheme scheme_;
   Timers& timers_;
-  NavierStokes fluid_;
+  RefinementPolicy refinement_;
+  std::unique_ptr<NavierStokes> fluid_;
   NodeOwner nodes_;
   Interaction interaction_;
   ElasticBound elastic_;
   MacField f_;
   std::vector<Vec3> X_, X_middle_, U_, U_before_, F_;
   double dt_ = 0, courant_rate_ = 0;
+  std::vector<Vec3> X_of_grid_;  ///< all nodes where the present grid was made for them
+  double moved_cells_ = 0;       ///< bound of how far anything tagged has moved since
   int steps_since_elastic_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include "ib3d/fluid/row_kernels.hpp"
 #include "ib3d/grid/field_checkpoint.hpp"
 #include "ib3d/grid/mirror.hpp"
+#include "ib3d/grid/regrid.hpp"
 
 namespace valsalva::ib3d {
 
@@ -55,18 +56,42 @@ NavierStokes::NavierStokes(const Hierarchy& grid, std::vector<Opening> openings,
   }
 }
 
+NavierStokes::NavierStokes(const Hierarchy& grid, const NavierStokes& before)
+    : NavierStokes(grid, before.openings_, before.fluid_, before.solver_.options())
+{
+  const Regrid regrid(before.grid_, grid_, transfers_);
+  for (int l = 0; l < grid_.level_count(); ++l) {
+    const auto ll = static_cast<std::size_t>(l);
+    regrid.carry(l, before.u_, u_, true);
+    regrid.carry(l, before.rate_, rate_, false);
+    fill_velocity_ghosts(ll, u_);
+    fill_velocity_ghosts(ll, rate_);
+    regrid.carry(l, before.p_, p_);
+    regrid.carry(l, before.p_before_, p_before_);
+    solver_.problem().grid(l).fill_ghosts(p_[ll]);
+    solver_.problem().grid(l).fill_ghosts(p_before_[ll]);
+  }
+  u_new_ = u_;
+  report_ = before.report_;
+  dt_ = before.dt_;
+  dt_before_ = before.dt_before_;
+}
+
 void NavierStokes::average_down(CompositeMac& u)
 {
   for (std::size_t l = u.size() - 1; l > 0; --l) transfers_[l - 1].average_down(u[l], u[l - 1]);
 }
 
+void NavierStokes::fill_velocity_ghosts(std::size_t l, CompositeMac& u)
+{
+  if (l > 0) transfers_[l - 1].fill_ghosts(u[l - 1], u[l]);
+  faces_[l].fill(u[l]);
+  fill_mirrored(grid_.levels()[l], u[l]);
+}
+
 void NavierStokes::fill_velocity_ghosts(CompositeMac& u)
 {
-  for (std::size_t l = 0; l < u.size(); ++l) {
-    if (l > 0) transfers_[l - 1].fill_ghosts(u[l - 1], u[l]);
-    faces_[l].fill(u[l]);
-    fill_mirrored(grid_.levels()[l], u[l]);
-  }
+  for (std::size_t l = 0; l < u.size(); ++l) fill_velocity_ghosts(l, u);
 }
 
 void NavierStokes::set_velocity(const CompositeMac& u)

@@ -19,6 +19,9 @@ class NavierStokes {
   NavierStokes(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
                const PressureOptions& pressure);
 
+  /// The same flow on another hierarchy (a regrid): fields and history are carried over.
+  NavierStokes(const Hierarchy& grid, const NavierStokes& before);
+
   /// u* from u^n; f in dyn/cm^3 on the faces of the finest level, complete on the owned ones; none on the others.
   void begin_step(const MacField& f, double dt);
   /// The same with a force on all levels.
@@ -57,6 +60,7 @@ class NavierStokes {
   void prescribe(const std::vector<double>& opening_pressure);
   void average_down(CompositeMac& u);
   void fill_velocity_ghosts(CompositeMac& u);
+  void fill_velocity_ghosts(std::size_t l, CompositeMac& u);
 
   Hierarchy grid_;
   std::vector<Opening> openings_;

@@ -88,6 +88,18 @@ void save_or_restore(Checkpoint& c, const std::string& name, const Level& level,
 
 }  // namespace
 
+void save_or_restore(Checkpoint& c, const std::string& name, Refinement& boxes)
+{
+  int levels = static_cast<int>(boxes.size());
+  c(name + "/refined_levels", levels);
+  boxes.resize(static_cast<std::size_t>(levels));
+  for (std::size_t l = 0; l < boxes.size(); ++l) {
+    std::vector<int> corners = corners_of(boxes[l]);
+    c(name + "/boxes_of_level_" + std::to_string(l + 1), corners);
+    boxes[l] = boxes_from(corners);
+  }
+}
+
 void save_or_restore(Checkpoint& c, const std::string& name, const Level& level, CellField<double>& field)
 {
   std::vector<std::vector<IndexBox>> owned;

@@ -12,6 +12,8 @@
 
 namespace valsalva::ib3d {
 
+/// The boxes of the refined levels.
+void save_or_restore(Checkpoint& c, const std::string& name, Refinement& boxes);
 void save_or_restore(Checkpoint& c, const std::string& name, const Level& level, CellField<double>& field);
 /// Names end in _x, _y, _z; faces that two patches share are stored once, by their owner.
 void save_or_restore(Checkpoint& c, const std::string& name, const Level& level, MacField& field);

@@ -90,6 +90,7 @@ Hierarchy::Hierarchy(const Domain& domain, double h, MPI_Comm comm, int boxes)
 
 Hierarchy::Hierarchy(const Domain& domain, double h, MPI_Comm comm, const Refinement& refinement,
                      const std::vector<Vec3>& nodes, int boxes)
+    : refinement_(refinement)
 {
   const int levels = static_cast<int>(refinement.size()) + 1;
   const Int3 n = coarsest_cells(domain, h, levels);

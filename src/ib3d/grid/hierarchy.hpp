@@ -103,6 +103,8 @@ class Hierarchy {
   const Level& level(int l) const { return levels_[static_cast<std::size_t>(l)]; }
   MPI_Comm comm() const { return levels_[0].comm; }
   const Domain& domain() const { return levels_[0].domain; }
+  /// The boxes it was made of, before they were cut for the ranks.
+  const Refinement& refinement() const { return refinement_; }
   /// Cells that no finer level covers.
   long valid_cell_count() const;
   /// Whether level l + 1 covers this cell of level l.
@@ -110,6 +112,7 @@ class Hierarchy {
 
  private:
   std::vector<Level> levels_;
+  Refinement refinement_;
 };
 
 /// Cells along each direction of the coarsest of `levels` levels, the finest of spacing h: or a CaseError that names

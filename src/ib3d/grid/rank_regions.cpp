@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/error.hpp"
 
@@ -26,9 +27,22 @@ double overlap(const Block& b, int d, double below)
 
 /// What lies in a part of space.
 struct RankRegions::Part {
+  /// Around the boxes of one level, cm.
+  struct Extent {
+    Vec3 lo, hi;
+    double block;
+    int blocks(int d) const { return static_cast<int>(std::lround((hi[d] - lo[d]) / block)); }
+    int longest() const
+    {
+      int d = 2;
+      for (int e : {1, 0})
+        if (hi[e] - lo[e] > hi[d] - lo[d] + 1e-9) d = e;
+      return d;
+    }
+  };
   std::vector<Block> blocks;  ///< of all levels
   std::vector<Vec3> nodes;
-  Vec3 lo, hi;  ///< around the finest boxes, cm
+  std::vector<Extent> extents;  ///< finest level first
 
   double work_below(int d, double x) const
   {
@@ -48,9 +62,9 @@ struct RankRegions::Part {
     }
     for (const Vec3& n : nodes)
       if ((n[d] >= x) == high) part.nodes.push_back(n);
-    part.lo = lo;
-    part.hi = hi;
-    (high ? part.lo : part.hi)[d] = x;
+    part.extents = extents;
+    for (Extent& e : part.extents)
+      (high ? e.lo : e.hi)[d] = high ? std::max(e.lo[d], x) : std::min(e.hi[d], x);
     return part;
   }
 };
@@ -59,49 +73,50 @@ RankRegions::RankRegions(const std::vector<LevelBoxes>& levels, const std::vecto
 {
   Part all;
   all.nodes = nodes;
-  for (const LevelBoxes& level : levels)
+  for (std::size_t l = levels.size(); l-- > 0;) {
+    const LevelBoxes& level = levels[l];
+    Part::Extent around{{}, {}, level.block * level.h};
     for (const IndexBox& box : level.boxes) {
       Block b{{}, {}, static_cast<double>(box.volume())};
       for (int d = 0; d < 3; ++d) {
         b.lo[d] = box.lo[static_cast<std::size_t>(d)] * level.h;
         b.hi[d] = box.hi[static_cast<std::size_t>(d)] * level.h;
-      }
-      if (&level == &levels.back()) {
         const bool first = &box == level.boxes.data();
-        for (int d = 0; d < 3; ++d) {
-          all.lo[d] = first ? b.lo[d] : std::min(all.lo[d], b.lo[d]);
-          all.hi[d] = first ? b.hi[d] : std::max(all.hi[d], b.hi[d]);
-        }
+        around.lo[d] = first ? b.lo[d] : std::min(around.lo[d], b.lo[d]);
+        around.hi[d] = first ? b.hi[d] : std::max(around.hi[d], b.hi[d]);
       }
       all.blocks.push_back(b);
     }
-  split(std::move(all), 0, count, levels.back().block * levels.back().h);
+    if (!level.boxes.empty()) all.extents.push_back(around);
+  }
+  split(std::move(all), 0, count);
 }
 
-int RankRegions::split(Part part, int first, int count, double block_cm)
+int RankRegions::split(Part part, int first, int count)
 {
   const int number = static_cast<int>(nodes_.size());
   nodes_.push_back({first, count});
   if (count == 1) return number;
-  int d = 2;
-  for (int e : {1, 0})
-    if (part.hi[e] - part.lo[e] > part.hi[d] - part.lo[d] + 1e-9) d = e;
-  const int blocks = static_cast<int>(std::lround((part.hi[d] - part.lo[d]) / block_cm));
-  if (blocks < 2)
+  // Across the longest side of the finest level, or of a coarser one where that is a single block.
+  const auto can_be_cut = [](const Part::Extent& e) { return e.blocks(e.longest()) >= 2; };
+  const auto found = std::find_if(part.extents.begin(), part.extents.end(), can_be_cut);
+  if (found == part.extents.end())
     throw CaseError("grid.finest_cm",
                     fmt::format("leaves too few cells to share among {} boxes; run on fewer ranks", count));
+  const Part::Extent extent = *found;
+  const int d = extent.longest(), blocks = extent.blocks(d);
   const int low_count = count / 2;
-  const double wanted = part.work_below(d, part.hi[d] + block_cm) * low_count / count;
+  const double wanted = part.work_below(d, std::numeric_limits<double>::max()) * low_count / count;
   double best = 0, best_off = -1;
   for (int b = 1; b < blocks; ++b) {
-    const double x = part.lo[d] + b * block_cm, off = std::abs(part.work_below(d, x) - wanted);
+    const double x = extent.lo[d] + b * extent.block, off = std::abs(part.work_below(d, x) - wanted);
     if (best_off < 0 || off < best_off - 1e-9 * wanted) {
       best = x;
       best_off = off;
     }
   }
-  const int low = split(part.side(d, best, false), first, low_count, block_cm);
-  const int high = split(part.side(d, best, true), first + low_count, count - low_count, block_cm);
+  const int low = split(part.side(d, best, false), first, low_count);
+  const int high = split(part.side(d, best, true), first + low_count, count - low_count);
   nodes_[static_cast<std::size_t>(number)] = {first, count, d, best, low, high};
   return number;
 }

@@ -42,7 +42,7 @@ class RankRegions {
     int low = -1, high = -1;  ///< children, -1 for a leaf
   };
   struct Part;
-  int split(Part part, int first, int count, double block_cm);
+  int split(Part part, int first, int count);
   void cut(int node, const IndexBox& box, const LevelBoxes& level, std::vector<Piece>& pieces) const;
 
   std::vector<Node> nodes_;

@@ -22,6 +22,7 @@ struct RefinementPolicy {
   int levels = 1;
   int margin_cells = 2;                ///< how far (finest cells) a node may move before the grid follows
   bool lumen = true;                   ///< refine what the structure encloses, layer by layer across z
+  double vorticity = 0;                ///< refine where |curl u| is larger (1/s); 0: nowhere
   std::vector<RefinedRegion> regions;  ///< by hand
 };
 

@@ -204,6 +204,12 @@ std::vector<Vec3> NodeOwner::redistribute(const std::vector<Vec3>& X)
   return part_.network.X;
 }
 
+void NodeOwner::move_to(const Level& level, const std::vector<Vec3>& X)
+{
+  level_ = level;
+  distribute(X);
+}
+
 void NodeOwner::save_or_restore(Checkpoint& c)
 {
   std::vector<Vec3> X = gather(part_.network.X);

@@ -36,6 +36,8 @@ class NodeOwner {
   /// Assigns every node to its patch anew and returns the new local positions, copies included. Collective.
   /// Throws SolverError when a node has left the domain by more than the drift.
   std::vector<Vec3> redistribute(const std::vector<Vec3>& X);
+  /// Distributes the nodes, at X (all of them, in global order), over the patches of another level. Collective.
+  void move_to(const Level& level, const std::vector<Vec3>& X);
 
   /// The positions at which the nodes were last distributed: from them the same ranks find the same order of
   /// nodes, and sums over nodes repeat bit for bit. Collective.

@@ -1,0 +1,63 @@
+#include "ib3d/fluid/vorticity.hpp"
+
+#include <numeric>
+#include <set>
+
+namespace valsalva::ib3d {
+
+namespace {
+
+constexpr int kBlock = kBlockingFactor / 2;  // cells that one tile of the next finer level covers
+
+/// |curl u|^2 h^2 from the three edges that meet in the low corner of a cell.
+double squared_curl(const MacField& u, int p, int i, int j, int k)
+{
+  const auto jump = [&](int c, int d) {
+    Int3 below{i, j, k};
+    --below[static_cast<std::size_t>(d)];
+    return u(p, c)(i, j, k) - u(p, c)(below[0], below[1], below[2]);
+  };
+  const double x = jump(2, 1) - jump(1, 2), y = jump(0, 2) - jump(2, 0), z = jump(1, 0) - jump(0, 1);
+  return x * x + y * y + z * z;
+}
+
+std::vector<int> gathered(const std::vector<int>& mine, MPI_Comm comm)
+{
+  int ranks = 1;
+  MPI_Comm_size(comm, &ranks);
+  int count = static_cast<int>(mine.size());
+  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(counts.size(), 0);
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
+  std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
+  std::vector<int> all(static_cast<std::size_t>(starts.back() + counts.back()));
+  MPI_Allgatherv(mine.data(), count, MPI_INT, all.data(), counts.data(), starts.data(), MPI_INT, comm);
+  return all;
+}
+
+}  // namespace
+
+std::vector<RefinedRegion> vortical_blocks(const Hierarchy& grid, const CompositeMac& u, double threshold)
+{
+  std::vector<RefinedRegion> regions;
+  for (int l = 0; l + 1 < grid.level_count(); ++l) {
+    const Level& level = grid.level(l);
+    const double limit = threshold * threshold * level.h * level.h;
+    std::set<Int3> blocks;
+    for (int p = 0; p < level.local_count(); ++p)
+      for_each_index(level.local_box(p), [&](int i, int j, int k) {
+        if (squared_curl(u[static_cast<std::size_t>(l)], p, i, j, k) > limit)
+          blocks.insert({i / kBlock, j / kBlock, k / kBlock});
+      });
+    std::vector<int> mine;
+    for (const Int3& b : blocks) mine.insert(mine.end(), b.begin(), b.end());
+    const std::vector<int> all = gathered(mine, grid.comm());
+    const double size = kBlock * level.h;
+    for (std::size_t n = 0; n + 3 <= all.size(); n += 3) {
+      const Vec3 lo{all[n] * size, all[n + 1] * size, all[n + 2] * size};
+      regions.push_back({lo, lo + Vec3{size, size, size}, l + 1});
+    }
+  }
+  return regions;
+}
+
+}  // namespace valsalva::ib3d

@@ -1,0 +1,116 @@
+// Structure and fluid on refined levels: the grid follows the structure, a fine level around it gives what a fine grid
+// everywhere gives, and neither boxes nor ranks are noticed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ib3d/fluid/tube.hpp"
+#include "ib3d/root_solver.hpp"
+
+namespace valsalva::ib3d {
+namespace {
+
+const Vec3 kSize{2, 2, 4};
+constexpr double kH = 2.0 / 32;
+
+/// A closed ring of springs under tension, out of round, that relaxes.
+FiberNetwork ring(const Vec3& centre)
+{
+  FiberNetwork network;
+  const int n = 80;
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * M_PI * i / n;
+    network.X.push_back(centre + Vec3{0.4 * std::cos(a), 0.25 * std::sin(a), 0.1 * std::cos(a)});
+    network.springs.a.push_back(i);
+    network.springs.b.push_back((i + 1) % n);
+    network.springs.stiffness.push_back(30);
+    network.springs.rest_length.push_back(0.02);
+    network.springs.tension_only.push_back(0);
+  }
+  return network;
+}
+
+std::vector<Opening> two_discs()
+{
+  return {{"inlet", 4, {1, 1, 0}, 0.6, "lv"}, {"outlet", 5, {1, 1, 0}, 0.7, "ao"}};
+}
+
+struct RingFlow {
+  RingFlow(int levels, int boxes, MPI_Comm comm = MPI_COMM_WORLD, double tolerance = 1e-9)
+  {
+    RefinementPolicy policy;
+    policy.levels = levels;
+    const FiberNetwork network = ring({1, 1, 1.2});
+    const Hierarchy grid(walled_box(kSize), kH, comm, refine(walled_box(kSize), kH, policy, network.X),
+                         network.X, boxes);
+    root = std::make_unique<RootSolver>(grid, two_discs(), FluidParameters{},
+                                        PressureOptions{"multilevel", tolerance, 100}, network,
+                                        StructureScheme::leapfrog, timers, policy);
+  }
+  void advance(int steps, double dt, double p_in)
+  {
+    for (int step = 0; step < steps; ++step) {
+      root->begin_step(dt);
+      root->solve_fluid({p_in, 0});
+      root->accept({0, 0});
+    }
+  }
+  std::vector<Vec3> X() const { return root->nodes().gather(root->X()); }
+  Timers timers;
+  std::unique_ptr<RootSolver> root;
+};
+
+double furthest_apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
+{
+  double m = 0;
+  for (std::size_t n = 0; n < a.size(); ++n) m = std::max(m, norm(a[n] - b[n]));
+  return m;
+}
+
+TEST(Levels, RefinedGridMovesTheStructureAsAFineGridDoes)
+{
+  RingFlow fine(1, 0), two(2, 0), three(3, 0);
+  const std::vector<Vec3> start = fine.X();
+  for (RingFlow* run : {&fine, &two, &three}) run->advance(60, 1e-3, 400);
+  const double path = furthest_apart(start, fine.X());
+  EXPECT_GT(path, 0.1);
+  EXPECT_LT(furthest_apart(fine.X(), two.X()), 0.01 * path);
+  EXPECT_LT(furthest_apart(fine.X(), three.X()), 0.01 * path);
+  EXPECT_LT(two.root->fluid().grid().valid_cell_count(), fine.root->fluid().grid().valid_cell_count() / 2);
+}
+
+TEST(Levels, GridFollowsTheStructure)
+{
+  RingFlow run(2, 0);
+  const Refinement before = run.root->fluid().grid().refinement();
+  run.advance(160, 1e-3, 400);
+  const Hierarchy& grid = run.root->fluid().grid();
+  EXPECT_NE(before, grid.refinement());
+  double highest = 0;
+  for (const Vec3& x : run.X()) {
+    highest = std::max(highest, x[2]);
+    IndexBox support;
+    for (std::size_t d = 0; d < 3; ++d) {
+      support.lo[d] = static_cast<int>(std::floor(x[static_cast<int>(d)] / grid.finest().h)) - 2;
+      support.hi[d] = support.lo[d] + 5;
+    }
+    std::vector<IndexBox> rest{intersect(support, grid.finest().box)};
+    for (const Patch& p : grid.finest().patches) rest = without(rest, p.box);
+    EXPECT_TRUE(rest.empty());
+  }
+  EXPECT_GT(highest, 2.0);
+  EXPECT_LT(run.root->fluid().divergence_rms(), 1e-9);
+}
+
+TEST(Levels, BoxesAndRanksAreNotNoticed)
+{
+  RingFlow one(3, 0, MPI_COMM_SELF, 1e-11), all(3, 0, MPI_COMM_WORLD, 1e-11),
+      many(3, 7, MPI_COMM_WORLD, 1e-11);
+  for (RingFlow* run : {&one, &all, &many}) run->advance(20, 1e-3, 400);
+  EXPECT_LT(furthest_apart(one.X(), all.X()), 1e-10);
+  EXPECT_LT(furthest_apart(one.X(), many.X()), 1e-10);
+}
+
+}  // namespace
+}  // namespace valsalva::ib3d
