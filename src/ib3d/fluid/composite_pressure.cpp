@@ -6,10 +6,11 @@
 
 namespace valsalva::ib3d {
 
-std::vector<CoarseFine> transfers_between_levels(const Hierarchy& grid)
+std::vector<CoarseFine> transfers_between_levels(const Hierarchy& grid, int ghosts)
 {
   std::vector<CoarseFine> transfers;
-  for (int l = 1; l < grid.level_count(); ++l) transfers.emplace_back(grid.level(l - 1), grid.level(l));
+  for (int l = 1; l < grid.level_count(); ++l)
+    transfers.emplace_back(grid.level(l - 1), grid.level(l), ghosts);
   return transfers;
 }
 

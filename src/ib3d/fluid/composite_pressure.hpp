@@ -10,8 +10,8 @@
 
 namespace valsalva::ib3d {
 
-/// Between every two neighbouring levels; entry l - 1 joins levels l - 1 and l.
-std::vector<CoarseFine> transfers_between_levels(const Hierarchy& grid);
+/// Between every two neighbouring levels; entry l - 1 joins levels l - 1 and l. `ghosts`: see CoarseFine.
+std::vector<CoarseFine> transfers_between_levels(const Hierarchy& grid, int ghosts = kMacGhosts);
 
 class CompositePressure {
  public:

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "ib3d/fluid/advection.hpp"
 #include "ib3d/fluid/row_kernels.hpp"
 #include "ib3d/grid/field_checkpoint.hpp"
 #include "ib3d/grid/mirror.hpp"
@@ -39,7 +40,7 @@ NavierStokes::NavierStokes(const Hierarchy& grid, std::vector<Opening> openings,
     : grid_(grid),
       openings_(std::move(openings)),
       fluid_(fluid),
-      transfers_(transfers_between_levels(grid_)),
+      transfers_(transfers_between_levels(grid_, kFluxGhosts)),
       opening_faces_(grid_, openings_),
       solver_(grid_, openings_, pressure, transfers_),
       modes_(opening_faces_, solver_, fluid.density),

@@ -39,33 +39,61 @@ IndexBox footprint(const IndexBox& fine, int component)
   return b;
 }
 
-inline void add_row(double* __restrict sum, const double* __restrict row, double w, int n)
+/// sum = the combination of rows `step` apart that the taps name; row: the first of them.
+inline void mix_rows(double* __restrict sum, const double* __restrict row, std::ptrdiff_t step,
+                     const Taps& taps, int n)
 {
-  for (int i = 0; i < n; ++i) sum[i] += w * row[i];
+  const double a = taps.weight[0], b = taps.weight[1], c = taps.weight[2];
+  if (taps.count == 1)
+    for (int i = 0; i < n; ++i) sum[i] = row[i];
+  else if (taps.count == 3)
+    for (int i = 0; i < n; ++i) sum[i] = row[i + step] + a * row[i] + c * row[i + 2 * step];
+  else
+    for (int i = 0; i < n; ++i)
+      sum[i] = a * (row[i] + row[i + 3 * step]) + b * (row[i + step] + row[i + 2 * step]);
 }
 
+/// Fine values of index lo to hi - 1 along a row from coarse ones; m: that of coarse index 0.
+inline void expand_row(double* __restrict fine, const double* __restrict m, bool normal, int lo, int hi)
+{
+  const auto at = [&](int i) -> double& { return fine[i - lo]; };
+  const int even = lo + (lo & 1), odd = lo + 1 - (lo & 1);
+  if (normal) {
+    for (int i = even; i < hi; i += 2) at(i) = m[half_below(i)];
+    for (int i = odd; i < hi; i += 2) {
+      const double* c = m + half_below(i);
+      at(i) = 0.5625 * (c[0] + c[1]) - 0.0625 * (c[-1] + c[2]);
+    }
+    return;
+  }
+  for (int i = even; i < hi; i += 2) {
+    const double* c = m + half_below(i);
+    at(i) = c[0] - 0.125 * (c[1] - c[-1]);
+  }
+  for (int i = odd; i < hi; i += 2) {
+    const double* c = m + half_below(i);
+    at(i) = c[0] + 0.125 * (c[1] - c[-1]);
+  }
+}
+
+/// One direction after the other: z into a plane of coarse rows, y into a row, x.
 void interpolate_box(const Array3<double>& coarse, Array3<double>& fine, const IndexBox& box, int component)
 {
   const IndexBox from = footprint(box, component);
-  const int n = from.size(0);
-  std::vector<double> mixed(static_cast<std::size_t>(n));
-  std::vector<Taps> along(static_cast<std::size_t>(box.size(0)));
-  for (int i = box.lo[0]; i < box.hi[0]; ++i)
-    along[static_cast<std::size_t>(i - box.lo[0])] = taps_of(component == 0, i);
-  for_each_row(box, [&](int j, int k) {
-    const Taps y = taps_of(component == 1, j), z = taps_of(component == 2, k);
-    std::fill(mixed.begin(), mixed.end(), 0.0);
-    for (int b = 0; b < z.count; ++b)
-      for (int a = 0; a < y.count; ++a)
-        add_row(mixed.data(), coarse.at(from.lo[0], y.first + a, z.first + b), y.weight[a] * z.weight[b], n);
-    double* row = fine.at(box.lo[0], j, k);
-    for (std::size_t i = 0; i < along.size(); ++i) {
-      const double* m = mixed.data() + (along[i].first - from.lo[0]);
-      double value = 0;
-      for (int t = 0; t < along[i].count; ++t) value += along[i].weight[t] * m[t];
-      row[i] = value;
+  const int n = from.size(0), rows = from.size(1);
+  std::vector<double> plane(static_cast<std::size_t>(n) * static_cast<std::size_t>(rows)),
+      row(static_cast<std::size_t>(n));
+  for (int k = box.lo[2]; k < box.hi[2]; ++k) {
+    const Taps z = taps_of(component == 2, k);
+    for (int j = 0; j < rows; ++j)
+      mix_rows(plane.data() + static_cast<std::ptrdiff_t>(j) * n,
+               coarse.at(from.lo[0], from.lo[1] + j, z.first), coarse.stride(2), z, n);
+    for (int j = box.lo[1]; j < box.hi[1]; ++j) {
+      const Taps y = taps_of(component == 1, j);
+      mix_rows(row.data(), plane.data() + static_cast<std::ptrdiff_t>(y.first - from.lo[1]) * n, n, y, n);
+      expand_row(fine.at(box.lo[0], j, k), row.data() - from.lo[0], component == 0, box.lo[0], box.hi[0]);
     }
-  });
+  }
 }
 
 /// Mean of the four fine faces that make up a coarse one, along a row.
@@ -100,7 +128,7 @@ IndexBox readable(const Level& level, const IndexBox& cells, int component)
 
 }  // namespace
 
-CoarseFine::CoarseFine(const Level& coarse, const Level& fine)
+CoarseFine::CoarseFine(const Level& coarse, const Level& fine, int ghosts)
     : coarse_(coarse),
       fine_(fine),
       coarsened_(fine.coarsened()),
@@ -133,11 +161,11 @@ CoarseFine::CoarseFine(const Level& coarse, const Level& fine)
       IndexBox inside = fine_.box;  // in periodic directions everything is inside
       for (int e = 0; e < 3; ++e)
         if (fine_.domain.periodic(e)) {
-          inside.lo[static_cast<std::size_t>(e)] -= kMacGhosts;
-          inside.hi[static_cast<std::size_t>(e)] += kMacGhosts;
+          inside.lo[static_cast<std::size_t>(e)] -= ghosts;
+          inside.hi[static_cast<std::size_t>(e)] += ghosts;
         }
       std::vector<IndexBox> rest{
-          intersect(faces_of(fine_.patches[f].box.grown(kMacGhosts), d), faces_of(inside, d))};
+          intersect(faces_of(fine_.patches[f].box.grown(ghosts), d), faces_of(inside, d))};
       for_each_image(fine_, [&](const Int3& shift) {
         for (const Patch& p : fine_.patches) rest = without(rest, faces_of(p.box, d).shifted(shift));
       });

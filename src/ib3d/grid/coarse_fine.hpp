@@ -13,12 +13,13 @@ namespace valsalva::ib3d {
 
 class CoarseFine {
  public:
-  CoarseFine(const Level& coarse, const Level& fine);
+  /// `ghosts`: layers that fill_ghosts fills.
+  CoarseFine(const Level& coarse, const Level& fine, int ghosts = kMacGhosts);
 
   void average_down(const MacField& fine, MacField& coarse);
   template <class T>
   void average_down(const CellField<T>& fine, CellField<T>& coarse);
-  /// Fills `ghosts` layers beyond the fine level's edge inside the domain; the level's own exchange and the sides
+  /// Fills the ghosts beyond the fine level's edge inside the domain; the level's own exchange and the sides
   /// of the domain come after it.
   void fill_ghosts(const MacField& coarse, MacField& fine);
   /// All faces of the fine patches, or all their cells.
