@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ib3d/fluid/tube.hpp"
+#include "ib3d/output/probes.hpp"
 #include "ib3d/root_solver.hpp"
 
 namespace valsalva::ib3d {
@@ -78,6 +79,58 @@ TEST(Levels, RefinedGridMovesTheStructureAsAFineGridDoes)
   EXPECT_LT(furthest_apart(fine.X(), two.X()), 0.01 * path);
   EXPECT_LT(furthest_apart(fine.X(), three.X()), 0.01 * path);
   EXPECT_LT(two.root->fluid().grid().valid_cell_count(), fine.root->fluid().grid().valid_cell_count() / 2);
+}
+
+/// A sphere of meridians and parallels under tension.
+FiberNetwork sphere(const Vec3& centre, double radius)
+{
+  FiberNetwork network;
+  const int parallels = 31, meridians = 64;
+  for (int j = 1; j <= parallels; ++j)
+    for (int i = 0; i < meridians; ++i) {
+      const double a = 2 * M_PI * i / meridians, b = M_PI * j / (parallels + 1);
+      network.X.push_back(centre +
+                          radius * Vec3{std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b)});
+    }
+  const auto join = [&](int a, int b) {
+    network.springs.a.push_back(a);
+    network.springs.b.push_back(b);
+    network.springs.stiffness.push_back(10);
+    network.springs.rest_length.push_back(
+        0.5 * norm(network.X[static_cast<std::size_t>(a)] - network.X[static_cast<std::size_t>(b)]));
+    network.springs.tension_only.push_back(0);
+  };
+  for (int j = 0; j < parallels; ++j)
+    for (int i = 0; i < meridians; ++i) {
+      join(j * meridians + i, j * meridians + (i + 1) % meridians);
+      if (j + 1 < parallels) join(j * meridians + i, (j + 1) * meridians + i);
+    }
+  return network;
+}
+
+TEST(Levels, PressureInASphereUnderTensionIsThatOfTheFineGrid)
+{
+  std::vector<double> jumps;
+  for (const int levels : {1, 2, 3}) {
+    RefinementPolicy policy;
+    policy.levels = levels;
+    const FiberNetwork network = sphere({1, 1, 2}, 0.45);
+    const Hierarchy grid(walled_box(kSize), kH, MPI_COMM_WORLD,
+                         refine(walled_box(kSize), kH, policy, network.X), network.X);
+    Timers timers;
+    RootSolver root(grid, two_discs(), {}, {"multilevel", 1e-6, 100}, network, StructureScheme::leapfrog,
+                    timers, policy);
+    for (int step = 0; step < 3; ++step) {
+      root.begin_step(1e-4);
+      root.solve_fluid({0, 0});
+      root.accept({0, 0});
+    }
+    const std::vector<double> p = pressure_at(root.fluid().grid(), root.fluid().p(), 1, 1, {0.5, 2.0});
+    jumps.push_back(p[1] - p[0]);
+  }
+  EXPECT_GT(jumps[0], 100);
+  EXPECT_NEAR(jumps[1] / jumps[0], 1, 0.01);
+  EXPECT_NEAR(jumps[2] / jumps[0], 1, 0.01);
 }
 
 TEST(Levels, GridFollowsTheStructure)
