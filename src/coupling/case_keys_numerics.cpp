@@ -44,8 +44,12 @@ std::vector<KeySection> numerics_sections()
        "Blood as a Newtonian fluid",
        {real("density_g_cm3", "g/cm^3", "Density").in(0.1, 10.0).or_else(1.0),
         real("viscosity_g_cm_s", "g/(cm s)", "Dynamic viscosity").in(0.0, 100.0).or_else(0.04),
-        choice("advection", {"limited", "none"}, "Limited second-order upwind flux, or none (Stokes flow)")
-            .or_else("limited")}},
+        choice("advection", {"xsppm7", "limited", "none"},
+               "Convective flux: from seven values, from three with a limiter, or none (Stokes flow)")
+            .or_else("xsppm7"),
+        choice("viscosity_scheme", {"explicit", "crank_nicolson"},
+               "Viscous term from the start of the step, or the mean of both ends, which bounds no step")
+            .or_else("explicit")}},
       {"pressure",
        "The pressure equation of every step",
        {choice("solver", {"multilevel", "pfmg"}, "Own multigrid, or the one of hypre").or_else("multilevel"),

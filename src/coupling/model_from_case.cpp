@@ -15,7 +15,13 @@ namespace {
 ib3d::FluidParameters fluid_from_case(const CaseFile& c)
 {
   const CaseTable& t = c.section("fluid");
-  return {t.real("density_g_cm3"), t.real("viscosity_g_cm_s"), t.text("advection") != "none"};
+  const std::string& flux = t.text("advection");
+  return {t.real("density_g_cm3"), t.real("viscosity_g_cm_s"),
+          flux == "none"      ? ib3d::Advection::none
+          : flux == "limited" ? ib3d::Advection::limited
+                              : ib3d::Advection::xsppm7,
+          t.text("viscosity_scheme") == "explicit" ? ib3d::ViscosityScheme::explicit_
+                                                   : ib3d::ViscosityScheme::crank_nicolson};
 }
 
 ib3d::PressureOptions pressure_from_case(const CaseFile& c)

@@ -11,25 +11,28 @@ namespace valsalva::ib3d {
 void advance_momentum(const Level& level, const FluidParameters& fluid, const MacField& u, const MacField* f,
                       double dt, double w1, MacField& rate, MacField& u_star)
 {
-  const double convection = fluid.advection ? -1 / level.h : 0.0;
-  const double diffusion = fluid.viscosity / (fluid.density * level.h * level.h);
-  const double now = dt * (1 - w1), before = dt * w1, force = dt / fluid.density;
+  const double diffusion = fluid.viscosity / (fluid.density * level.h * level.h), force = dt / fluid.density;
+  const bool half = fluid.viscosity_scheme == ViscosityScheme::crank_nicolson;
+  const MomentumWeights weights{-1 / level.h, half ? 0.0 : diffusion, dt * (1 - w1), dt * w1,
+                                half ? 0.5 * dt * diffusion : 0.0};
   for (int p = 0; p < level.local_count(); ++p)
     for (int c = 0; c < 3; ++c) {
       const IndexBox box = faces_of(level.local_box(p), c);
       const std::ptrdiff_t sy = u(p, c).stride(1), sz = u(p, c).stride(2);
-      for_each_convected_row({&u(p, 0), &u(p, 1), &u(p, 2)}, c, box, [&](int j, int k, const double* div) {
+      const auto advance = [&](int j, int k, const double* div) {
         const int i = box.lo[0];
         double* out = u_star(p, c).at(i, j, k);
-        momentum_row(out, rate(p, c).at(i, j, k), u(p, c).at(i, j, k), div, convection, diffusion, now,
-                     before, sy, sz, box.size(0));
+        momentum_row(out, rate(p, c).at(i, j, k), u(p, c).at(i, j, k), div, weights, sy, sz, box.size(0));
         if (f != nullptr) add_row(out, (*f)(p, c).at(i, j, k), force, box.size(0));
-      });
+      };
+      for_each_convected_row(fluid.advection, {&u(p, 0), &u(p, 1), &u(p, 2)}, c, box, advance);
     }
 }
 
 double viscous_step_limit(const Level& level, const FluidParameters& fluid)
 {
+  if (fluid.viscosity_scheme == ViscosityScheme::crank_nicolson)
+    return std::numeric_limits<double>::infinity();
   return 0.5 * fluid.density * level.h * level.h / (6 * fluid.viscosity);
 }
 

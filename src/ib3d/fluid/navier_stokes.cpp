@@ -51,6 +51,7 @@ NavierStokes::NavierStokes(const Hierarchy& grid, std::vector<Opening> openings,
       p_before_(composite_cells<double>(grid_)),
       p_b_(solver_.problem().zero_boundary_pressure())
 {
+  if (fluid.viscosity_scheme == ViscosityScheme::crank_nicolson) viscous_.emplace(grid_);
   for (const Level& level : grid_.levels()) {
     faces_.push_back(Halo::for_faces(level));
     shared_faces_.push_back(Halo::for_faces(level, 0));
@@ -95,13 +96,18 @@ void NavierStokes::fill_velocity_ghosts(CompositeMac& u)
   for (std::size_t l = 0; l < u.size(); ++l) fill_velocity_ghosts(l, u);
 }
 
+void NavierStokes::complete(CompositeMac& u)
+{
+  for (int l = 0; l < grid_.level_count(); ++l)
+    close_walls(solver_.problem().grid(l), u[static_cast<std::size_t>(l)]);
+  average_down(u);
+  fill_velocity_ghosts(u);
+}
+
 void NavierStokes::set_velocity(const CompositeMac& u)
 {
   u_ = u;
-  for (int l = 0; l < grid_.level_count(); ++l)
-    close_walls(solver_.problem().grid(l), u_[static_cast<std::size_t>(l)]);
-  average_down(u_);
-  fill_velocity_ghosts(u_);
+  complete(u_);
   u_new_ = u_;
   dt_ = dt_before_ = 0;
 }
@@ -144,16 +150,28 @@ void NavierStokes::advance_velocity(const std::vector<const MacField*>& f, doubl
 void NavierStokes::prescribe(const std::vector<double>& opening_pressure)
 {
   const std::vector<double> flow = opening_faces_.flow(u_);
+  const bool convected = fluid_.advection != Advection::none;
   for (std::size_t m = 0; m < openings_.size(); ++m) {
     const double inward = side_is_high(openings_[m].side) ? -1.0 : 1.0;
     const double mean = -flow[m] / opening_faces_.area(m);
     for (const OpeningFaces::Face& f : opening_faces_.of(m)) {
       const double w = inward * u_[static_cast<std::size_t>(f.level)](f.patch, 2)(f.i, f.j, f.k);
-      const double excess =
-          fluid_.advection ? fluid_.density * (w * std::abs(w) - mean * std::abs(mean)) : 0.0;
+      const double excess = convected ? fluid_.density * (w * std::abs(w) - mean * std::abs(mean)) : 0.0;
       set_boundary_pressure(p_b_, f, opening_pressure[m] - excess);
     }
   }
+}
+
+/// (2.7): the gradient of the guessed pressure takes part in the solve, so that the walls' condition on u* holds for
+/// u^{n+1} to second order; it is taken out again for the projection to put in the whole.
+void NavierStokes::diffuse()
+{
+  solver_.problem().fill_ghosts(p_, p_b_);
+  subtract_gradient(dt_);
+  const double diffusion = 0.5 * dt_ * fluid_.viscosity / fluid_.density;
+  viscous_sweeps_ = viscous_->solve(diffusion, u_, u_new_, [this](CompositeMac& v) { complete(v); });
+  subtract_gradient(-dt_);
+  average_down(u_new_);
 }
 
 std::vector<double> NavierStokes::solve_pressure(const std::vector<double>& opening_pressure)
@@ -164,6 +182,7 @@ std::vector<double> NavierStokes::solve_pressure(const std::vector<double>& open
     for (int q = 0; q < p_[l].patch_count(); ++q)
       extrapolate_row(p_[l][q].data().data(), p_before_[l][q].data().data(), ratio, p_[l][q].data().size());
   prescribe(opening_pressure);
+  if (viscous_) diffuse();
   const double source = fluid_.density / dt_;
   report_ = solver_.solve(p_, p_b_, &u_new_, source, solver_.options().divergence_tolerance * source);
   return opening_faces_.flow_of([&](const OpeningFaces::Face& f) {
@@ -177,9 +196,17 @@ std::vector<double> NavierStokes::solve_pressure(const std::vector<double>& open
 void NavierStokes::finish_step(const std::vector<double>& phi)
 {
   modes_.add(phi, p_);
+  subtract_gradient(dt_);
+  average_down(u_new_);
+  fill_velocity_ghosts(u_new_);
+  std::swap(u_, u_new_);
+}
+
+void NavierStokes::subtract_gradient(double dt)
+{
   for (std::size_t l = 0; l < u_.size(); ++l) {
     const Level& level = grid_.levels()[l];
-    const double factor = dt_ / (fluid_.density * level.h);
+    const double factor = dt / (fluid_.density * level.h);
     for (int p = 0; p < level.local_count(); ++p)
       for (int c = 0; c < 3; ++c) {
         const IndexBox box = faces_of(level.local_box(p), c);
@@ -190,9 +217,6 @@ void NavierStokes::finish_step(const std::vector<double>& phi)
         });
       }
   }
-  average_down(u_new_);
-  fill_velocity_ghosts(u_new_);
-  std::swap(u_, u_new_);
 }
 
 void NavierStokes::save_or_restore(Checkpoint& c)

@@ -1,6 +1,7 @@
 // One projection step of the incompressible Navier-Stokes equations on the MAC grid, for given force density
 // and opening pressures (docs/scheme.md, section 2):
-//     u*      = u^n + dt [ 3/2 G^n - 1/2 G^{n-1} + f/rho ]        begin_step (variable-step weights)
+//     u*      = u^n + dt [ 3/2 G^n - 1/2 G^{n-1} + f/rho ]        begin_step (variable-step weights); the implicit half
+//                                                                 of Crank-Nicolson viscosity: solve_pressure
 //     lap p   = (rho/dt) div u*,  p = p_k on opening k            solve_pressure -> flows Q0
 //     u^{n+1} = u* - (dt/rho) grad p                              finish_step(phi)
 // on all levels with one dt; coarse faces under finer ones hold the mean of these. The whole pressure is solved for in
@@ -8,9 +9,12 @@
 // pressures by phi between the last two calls. Fields have one entry per level. All calls are collective.
 #pragma once
 
+#include <optional>
+
 #include "common/checkpoint.hpp"
 #include "ib3d/fluid/momentum.hpp"
 #include "ib3d/fluid/opening_modes.hpp"
+#include "ib3d/fluid/viscous.hpp"
 
 namespace valsalva::ib3d {
 
@@ -39,6 +43,8 @@ class NavierStokes {
   const CompositeMac& u_before() const { return u_new_; }  ///< u^{n-1} after finish_step, ghosts filled
   const CompositeCells<double>& p() const { return p_; }
   const KrylovReport& pressure_report() const { return report_; }
+  /// Sweeps of the last viscous solve, 0 with explicit viscosity.
+  int viscous_sweeps() const { return viscous_sweeps_; }
   /// rms and largest divergence (1/s) that the last pressure solve left behind.
   double divergence_rms() const { return report_.final_rms * dt_ / fluid_.density; }
   double divergence_max() const { return report_.final_max * dt_ / fluid_.density; }
@@ -58,9 +64,14 @@ class NavierStokes {
  private:
   void advance_velocity(const std::vector<const MacField*>& f, double dt);
   void prescribe(const std::vector<double>& opening_pressure);
+  void diffuse();
+  /// u_new_ -= (dt/rho) grad p.
+  void subtract_gradient(double dt);
   void average_down(CompositeMac& u);
   void fill_velocity_ghosts(CompositeMac& u);
   void fill_velocity_ghosts(std::size_t l, CompositeMac& u);
+  /// Closes the walls, averages down and fills the ghosts.
+  void complete(CompositeMac& u);
 
   Hierarchy grid_;
   std::vector<Opening> openings_;
@@ -69,12 +80,14 @@ class NavierStokes {
   OpeningFaces opening_faces_;
   PressureSolver solver_;
   OpeningModes modes_;
-  std::vector<Halo> faces_;         ///< all ghosts of a velocity, per level
-  std::vector<Halo> shared_faces_;  ///< only the faces that two patches share, from their owner
+  std::optional<ViscousSolver> viscous_;  ///< with Crank-Nicolson viscosity
+  std::vector<Halo> faces_;               ///< all ghosts of a velocity, per level
+  std::vector<Halo> shared_faces_;        ///< only the faces that two patches share, from their owner
   CompositeMac u_, u_new_, rate_;
   CompositeCells<double> p_, p_before_;
   std::vector<BoundaryPressure> p_b_;
   KrylovReport report_;
+  int viscous_sweeps_ = 0;
   double dt_ = 0, dt_before_ = 0;
 };
 

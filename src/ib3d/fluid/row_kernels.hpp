@@ -16,16 +16,44 @@ inline T neighbours(const T* c, std::ptrdiff_t i, std::ptrdiff_t sy, std::ptrdif
   return (c[i - 1] + c[i + 1]) + (c[i - sy] + c[i + sy]) + (c[i - sz] + c[i + sz]);
 }
 
-/// out = q + now G + before g,  G = convection div + diffusion (neighbours - 6 q); then g = G.
+struct MomentumWeights {
+  double convection, diffusion;  ///< of h div(u u) and h^2 lap u in the rate G
+  double now, before;            ///< of the rates in u*
+  double apart;                  ///< of h^2 lap u in u*, beside its part in G
+};
+
+/// out = q + now G + before g + apart L,  G = convection div + diffusion L,  L = neighbours - 6 q; then g = G.
 inline void momentum_row(double* __restrict out, double* __restrict g, const double* __restrict q,
-                         const double* __restrict div, double convection, double diffusion, double now,
-                         double before, std::ptrdiff_t sy, std::ptrdiff_t sz, int n)
+                         const double* __restrict div, MomentumWeights w, std::ptrdiff_t sy,
+                         std::ptrdiff_t sz, int n)
 {
   for (int i = 0; i < n; ++i) {
-    const double rate = convection * div[i] + diffusion * (neighbours(q, i, sy, sz) - 6 * q[i]);
-    out[i] = q[i] + now * rate + before * g[i];
+    const double laplacian = neighbours(q, i, sy, sz) - 6 * q[i];
+    const double rate = w.convection * div[i] + w.diffusion * laplacian;
+    out[i] = q[i] + w.now * rate + w.before * g[i] + w.apart * laplacian;
     g[i] = rate;
   }
+}
+
+/// out = (b + a neighbours)/(1 + 6 a): one Jacobi sweep for (1 + 6 a) q - a neighbours = b.
+inline void jacobi_row(double* __restrict out, const double* __restrict b, const double* __restrict q,
+                       double a, std::ptrdiff_t sy, std::ptrdiff_t sz, int n)
+{
+  const double scale = 1 / (1 + 6 * a);
+  for (int i = 0; i < n; ++i) out[i] = scale * (b[i] + a * neighbours(q, i, sy, sz));
+}
+
+/// largest = max of itself and |a - b|, |b|.
+inline void compare_row(const double* a, const double* b, double (&largest)[2], int n)
+{
+  double change = largest[0], value = largest[1];
+#pragma omp simd reduction(max : change, value)
+  for (int i = 0; i < n; ++i) {
+    change = std::max(change, std::abs(a[i] - b[i]));
+    value = std::max(value, std::abs(b[i]));
+  }
+  largest[0] = change;
+  largest[1] = value;
 }
 
 /// out += a x.

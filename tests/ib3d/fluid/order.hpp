@@ -3,6 +3,9 @@
 // of second order (its mean removed where no side fixes it).
 #pragma once
 
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -109,6 +112,38 @@ inline Orders observed_orders(const ExactFlow& flow, int n)
   const auto order = [](double a, double b) { return std::log2(a / b); };
   return {{order(coarse.velocity.l1, fine.velocity.l1), order(coarse.velocity.l2, fine.velocity.l2)},
           {order(coarse.pressure.l1, fine.pressure.l1), order(coarse.pressure.l2, fine.pressure.l2)}};
+}
+
+/// The choices of the fluid solver that the orders are tested for.
+struct Scheme {
+  Advection advection;
+  ViscosityScheme viscosity;
+  const char* name;
+};
+inline constexpr Scheme kSchemes[] = {
+    {Advection::limited, ViscosityScheme::explicit_, "limited flux, explicit viscosity"},
+    {Advection::xsppm7, ViscosityScheme::explicit_, "xsPPM7, explicit viscosity"},
+    {Advection::xsppm7, ViscosityScheme::crank_nicolson, "xsPPM7, Crank-Nicolson"},
+};
+inline constexpr Scheme kStokesSchemes[] = {
+    {Advection::none, ViscosityScheme::explicit_, "no flux, explicit viscosity"},
+    {Advection::none, ViscosityScheme::crank_nicolson, "no flux, Crank-Nicolson"},
+};
+
+/// Velocity of at least this order, pressure of order 1.5, between n and 2n cells.
+inline void expect_second_order(ExactFlow flow, const Scheme& scheme, int n, double velocity_order = 1.8)
+{
+  flow.fluid.advection = scheme.advection;
+  flow.fluid.viscosity_scheme = scheme.viscosity;
+  const std::string place = fmt::format("{}, {} cells, {} levels", scheme.name, n, flow.levels);
+  const Orders order = observed_orders(flow, n);
+  ::testing::Test::RecordProperty(
+      place, fmt::format("velocity {:.3f} {:.3f} pressure {:.3f} {:.3f}", order.velocity.l1,
+                         order.velocity.l2, order.pressure.l1, order.pressure.l2));
+  EXPECT_GT(order.velocity.l1, velocity_order) << place;
+  EXPECT_GT(order.velocity.l2, velocity_order) << place;
+  EXPECT_GT(order.pressure.l1, 1.5) << place;
+  EXPECT_GT(order.pressure.l2, 1.5) << place;
 }
 
 }  // namespace valsalva::ib3d

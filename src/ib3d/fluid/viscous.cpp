@@ -1,0 +1,69 @@
+#include "ib3d/fluid/viscous.hpp"
+
+#include <fmt/format.h>
+
+#include "common/error.hpp"
+#include "ib3d/fluid/composite_pressure.hpp"
+#include "ib3d/fluid/row_kernels.hpp"
+
+namespace valsalva::ib3d {
+
+namespace {
+
+constexpr double kRelativeChange = 1e-9;
+constexpr int kMaxSweeps = 500;
+
+}  // namespace
+
+ViscousSolver::ViscousSolver(const Hierarchy& grid)
+    : grid_(grid), b_(composite_faces(grid)), before_(composite_faces(grid))
+{
+}
+
+int ViscousSolver::solve(double diffusion, const CompositeMac& guess, CompositeMac& u,
+                         const std::function<void(CompositeMac&)>& complete)
+{
+  std::swap(b_, u);
+  const CompositeMac* from = &guess;
+  for (int sweeps = 1; sweeps <= kMaxSweeps; ++sweeps) {
+    sweep(diffusion, *from, u);
+    complete(u);
+    if (relative_change(*from, u) <= kRelativeChange) return sweeps;
+    std::swap(before_, u);
+    from = &before_;
+  }
+  throw SolverError(fmt::format(
+      "the viscous solve has not converged after {} sweeps; a smaller time.dt_max_s makes it easier",
+      kMaxSweeps));
+}
+
+void ViscousSolver::sweep(double diffusion, const CompositeMac& from, CompositeMac& to) const
+{
+  for (std::size_t l = 0; l < to.size(); ++l) {
+    const Level& level = grid_.levels()[l];
+    const double a = diffusion / (level.h * level.h);
+    for (int p = 0; p < level.local_count(); ++p)
+      for (int c = 0; c < 3; ++c) {
+        const IndexBox box = faces_of(level.local_box(p), c);
+        const Array3<double>& q = from[l](p, c);
+        for_each_row(box, [&](int j, int k) {
+          const int i = box.lo[0];
+          jacobi_row(to[l](p, c).at(i, j, k), b_[l](p, c).at(i, j, k), q.at(i, j, k), a, q.stride(1),
+                     q.stride(2), box.size(0));
+        });
+      }
+  }
+}
+
+double ViscousSolver::relative_change(const CompositeMac& a, const CompositeMac& b) const
+{
+  double largest[2] = {0, 0};  // change, value
+  for (int c = 0; c < 3; ++c)
+    for_each_local_row(grid_, [&](std::size_t l, int p, int i, int j, int k, int n) {
+      compare_row(a[l](p, c).at(i, j, k), b[l](p, c).at(i, j, k), largest, n);
+    });
+  MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPI_DOUBLE, MPI_MAX, grid_.comm());
+  return largest[1] > 0 ? largest[0] / largest[1] : 0.0;
+}
+
+}  // namespace valsalva::ib3d
