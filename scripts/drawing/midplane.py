@@ -107,12 +107,12 @@ def draw_planes(planes, wall, columns, pictures, name, page_width=style.PAGE_WID
     z0, z1 = min(p.z[0] for p in first), max(p.z[1] for p in first)
     x0, x1 = min(p.x[0] for p in first), max(p.x[1] for p in first)
     margin = 0.46 / page_width
-    width = page_width * (1 - margin - 0.015) / (len(columns) + 0.165 * (len(columns) - 1))
+    width = (page_width * (1 - margin) - 0.11) / (len(columns) + 0.165 * (len(columns) - 1))
     height = width * (x1 - x0) / (z1 - z0)
     total = rows * (height + 0.24) + 1.0
     figure, axes = plt.subplots(rows, len(columns), sharex=True, sharey=True, squeeze=False,
                                 figsize=(page_width, total))
-    figure.subplots_adjust(left=margin, right=0.985, top=1 - 0.24 / total, bottom=0.93 / total, wspace=0.165,
+    figure.subplots_adjust(left=margin, right=1 - 0.11 / page_width, top=1 - 0.24 / total, bottom=0.93 / total, wspace=0.165,
                            hspace=0.24 / height)
     for (field, with_grid), column in zip(columns, axes.T):
         low, high = _range([getattr(patch, field) for plane in planes for patch in plane.patches])

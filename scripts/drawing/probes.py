@@ -33,7 +33,7 @@ def draw(out, pictures, width=style.PAGE_WIDTH, title="probes"):
     if strains:
         for (name, strain), color in zip(strains.items(), [style.LEAFLETS[0], style.GREY] + style.OTHERS):
             axes["strain"].plot(t, 100 * strain, color=color, linewidth=1.0, label=_strain_label(name))
-        axes["strain"].set_ylabel("strain (%)")
+        axes["strain"].set_ylabel("largest strain (%)")
         axes["strain"].legend(loc="upper right")
     last = axes[rows[-1]]
     last.set_xlabel("time (s)")
@@ -44,4 +44,4 @@ def draw(out, pictures, width=style.PAGE_WIDTH, title="probes"):
 
 
 def _strain_label(name):
-    return name.replace("_", " ").replace("strain", "").replace("largest", "").strip() or "largest"
+    return name.removesuffix("_max").replace("_", " ")

@@ -3,6 +3,7 @@ import itertools
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.patheffects import withStroke
 
 from . import style
 from .instants import choose_frames, last_beat, main_flow
@@ -85,7 +86,9 @@ def _flows(axes, t, flows, main):
     litres.set_ylabel("flow (l/min)")
     litres.spines["right"].set_visible(True)
     if len(flows) > 1:
-        axes.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncol=4, borderaxespad=0, columnspacing=1.4)
+        narrow = axes.figure.get_figwidth() < style.PAGE_WIDTH
+        axes.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncol=3 if narrow else 5, borderaxespad=0,
+                    columnspacing=1.2, fontsize=7 if narrow else 8)
 
 
 def _shade_stroke(axes, out, table):
@@ -107,7 +110,9 @@ def _mark_instants(axes, out, t, q):
         place = (-6 if slope > 0 else 6, 1) if steep else (0, 5) if value > -0.05 * np.ptp(q) else (8, -4)
         axes.plot(time, value, "o", markersize=3.6, color="white", markeredgecolor=style.INK, markeredgewidth=0.9,
                   zorder=5, clip_on=False)
-        axes.annotate(letter, (time, value), xytext=place, textcoords="offset points", ha="center", fontweight="bold")
+        note = axes.annotate(letter, (time, value), xytext=place, textcoords="offset points", ha="center",
+                             fontweight="bold", zorder=6)
+        note.set_path_effects([withStroke(linewidth=2, foreground="white")])
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.06 * (high - low))
 

@@ -11,8 +11,8 @@ from drawing.run_output import Missing, read_table
 from . import movie, page, verdict
 
 BEAT = [  # picture, title, caption
-    ("flow_and_pressure_column.png", "Pressures and flow", "Letters mark the instants shown below; the shaded area is the "
-     "stroke volume."),
+    ("flow_and_pressure_column.png", "Pressures and flow", "Shaded: stroke volume of the last beat. Letters: instants of "
+     "the leaflets' pictures, where there are any."),
     ("pv_loop.svg", "Pressure-volume loop", "Left ventricle, last beat; earlier beats paler."),
     ("closing_ring.svg", "The valve closes", "Flow after the end of ejection, and ten milliseconds of it."),
     ("centre_line.svg", "Pressure on the centre line", "From the ventricle (left) through the valve to the aorta."),
@@ -65,7 +65,7 @@ def body(run):
         _head(run),
         page.section("Verdict", _verdict(run)),
         page.section("The valve moves", _movie(run)),
-        page.section("The beat", page.grid(_figures(pictures, BEAT))),
+        page.section("The beat", page.columns(_figures(pictures, BEAT))),
         page.section("Leaflets", page.grid(_figures(pictures, VALVE))),
         page.section("Pressure and velocity", page.grid(_figures(pictures, PLANES))),
         page.section("The solution", page.sentences(verdict.numerics_sentences(run.out, run.case)),
@@ -93,9 +93,9 @@ def _head(run):
     if facts.get("cells"):
         said.append(f"{facts['cells']:,} cells and {facts.get('nodes', 0):,} nodes".replace(",", "\u202f"))
     if facts.get("ranks"):
-        said.append(f"{facts['ranks']} ranks on {facts.get('host', '?')}")
+        said.append(f"{facts['ranks']} rank{'s' if facts['ranks'] > 1 else ''} on {facts.get('host', '?')}")
     if facts.get("wall_s") and facts.get("outcome") != "running":
-        said.append(f"{facts['wall_s']:.0f} s of wall-clock time, {facts.get('peak_memory_mb', 0):.0f} MB")
+        said.append(f"{facts['wall_s']:.3g} s of wall-clock time, {facts.get('peak_memory_mb', 0):.0f} MB")
     if facts.get("written"):
         said.append(facts["written"].replace("T", " ").replace("Z", " UTC"))
     return state + f'<p class="pale">{page.text(" · ".join(said))}</p>'

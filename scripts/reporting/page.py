@@ -39,6 +39,11 @@ def grid(parts):
     return f'<div class="grid">{"".join(parts)}</div>' if parts else ""
 
 
+def columns(figures):
+    """Figures of different heights, one column after the other."""
+    return f'<div class="columns">{"".join(figures)}</div>' if figures else ""
+
+
 def section(title, *parts):
     """A section, or nothing where all its parts are empty."""
     body = "".join(parts)

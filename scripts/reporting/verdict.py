@@ -44,7 +44,8 @@ def valve_sentences(out):
     gap = _gap_at_end(out)
     if has_orifice and gap is not None:
         said.append("At the end its free edges meet." if gap < SHUT_CM2 else
-                    f"At the end a gap of {gap:.2f} cm² is left between the free edges, seen from above.")
+                    f"At the end {gap:.2f} cm² are left between the free edges, seen from above (below them the leaflets may "
+                    "touch).")
     outside = [m.label for m, v in known(beat) if (m.low is not None and v < m.low) or
                (m.high is not None and v > m.high)]
     said.append(f"Outside of what a resting adult has: {', '.join(outside)}." if outside else
