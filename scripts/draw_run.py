@@ -1,15 +1,16 @@
 #!/usr/bin/python3
 """Draws the pictures of a run: draw_run.py OUT [OUT ...] writes OUT/pictures/*.png.
 
-flow_and_pressure (also .svg), probes, leaflets_above, leaflets_side, midplane, step. Needs no display and can be
-called while the run goes on. A picture whose input is not there is left out, with one line that says why.
+flow_and_pressure, probes, leaflets_above, leaflets_side, midplane, step, centre_line, closing_ring, pv_loop; lines
+also as .svg. Needs no display and can be called while the run goes on. A picture whose input is not there is left out, with one line that says why.
 """
 import argparse
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from drawing import leaflets, midplane, probes, steps, style, traces  # noqa: E402
+from drawing import (balances, centre_line, closing, leaflets, midplane, probes, pv_loop, steps, style,  # noqa: E402
+                     traces)
 from drawing.run_output import Missing  # noqa: E402
 
 PICTURES = [
@@ -18,15 +19,25 @@ PICTURES = [
     ("leaflets_above, leaflets_side", leaflets.draw),
     ("midplane", midplane.draw),
     ("step", steps.draw),
+    ("centre_line", centre_line.draw),
+    ("closing_ring", closing.draw),
+    ("pv_loop", pv_loop.draw),
+]
+COLUMNS = [  # what the report shows: as wide as one column
+    ("flow_and_pressure_column", traces.draw_column),
+    ("probes_column", lambda out, pictures: probes.draw(out, pictures, style.COLUMN_WIDTH, "probes_column")),
+    ("leaflets_above_column, leaflets_side_column", leaflets.draw_columns),
+    ("midplane_pressure, midplane_speed", midplane.draw_columns),
+    ("step_column", lambda out, pictures: steps.draw(out, pictures, style.COLUMN_WIDTH, "step_column")),
+    ("balances", balances.draw),
 ]
 
 
-def draw_run(out):
-    """Draws what can be drawn of the run in `out`; returns the number of pictures that failed."""
-    pictures = out / "pictures"
+def draw_all(out, pictures, wanted):
+    """Draws what can be drawn of the `wanted` pictures of the run in `out`; returns how many failed."""
     pictures.mkdir(exist_ok=True)
     failed = 0
-    for name, draw in PICTURES:
+    for name, draw in wanted:
         try:
             draw(out, pictures)
             print(f"{name}: drawn")
@@ -46,7 +57,7 @@ def main():
         if not out.is_dir():
             parser.error(f"{out} is not a folder")
     style.apply()
-    sys.exit(4 if sum(draw_run(out) for out in folders) else 0)
+    sys.exit(4 if sum(draw_all(out, out / "pictures", PICTURES) for out in folders) else 0)
 
 
 if __name__ == "__main__":

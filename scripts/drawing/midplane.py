@@ -1,19 +1,30 @@
-"""midplane: pressure and speed on the plane through the axis (y = the axis'), with the leaflets and the wall cut."""
+"""midplane: pressure and speed on the plane through the axis (y = the axis'), with the leaflets and the wall cut.
+
+On request with the boxes of the grid: the outlines of every refined level.
+"""
+from collections import namedtuple
+
 import h5py
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from . import style
 from .instants import choose_frames
-from .leaflets import fit_annulus
+from .scene import fit_annulus
 from .run_output import Fibers, Missing, leaflet_frames, read_series, wall_points
 
 INSTANTS = (0, 2, 4, 5)  # of the story: closed, peak flow, closing, closed
+Patch = namedtuple("Patch", "level h z x pressure speed")  # cm; z and x as (low, high); values as [x, z]
+Plane = namedtuple("Plane", "what t patches cut")
+LABELS = {"pressure": "pressure (mmHg)", "speed": "speed (cm/s)"}
+COLORS = {"pressure": "viridis", "speed": style.SPEED}
+GRID_COLORS = ["#ffffff", "#ffd23f", "#ff4f79", "#ffffff"]
 
 
 def read_plane(path, y=None):
-    """([(z range, x range, pressure[x, z], speed[x, z])], y), coarse to fine, on the cells that hold y.
+    """([Patch], y), coarse to fine, on the cells that hold y.
 
     Without y the middle of the domain.
     """
@@ -37,7 +48,7 @@ def read_plane(path, y=None):
                     p = level["CellData/pressure_mmHg"][first:last].reshape(shape)[:, j]
                     u = level["CellData/velocity_cm_s"][first:last].reshape(*shape, 3)[:, j]
                     x, z = (origin[d] + h * np.array([box[d, 0], box[d, 1] + 1]) for d in (0, 2))
-                    patches.append((z, x, p.T, np.linalg.norm(u, axis=2).T))
+                    patches.append(Patch(int(name[5:]), h, z, x, p.T, np.linalg.norm(u, axis=2).T))
                 first = last
     return patches, y
 
@@ -54,60 +65,107 @@ def cut_of_leaflets(fibers, y):
 
 
 def draw(out, pictures):
-    chosen = choose_frames(out, read_series(out / "fields"), INSTANTS)
-    try:
-        structure = leaflet_frames(out)
-        y = fit_annulus(Fibers(structure[0][1]))[0][1]
-    except Missing:
-        structure, y = [], None
+    planes, wall = read_planes(out, INSTANTS)
+    draw_planes(planes, wall, [("pressure", False), ("speed", False)], pictures, "midplane")
+
+
+def draw_columns(out, pictures):
+    """midplane_pressure with the grid and midplane_speed, each as wide as one column."""
+    planes, wall = read_planes(out, INSTANTS)
+    draw_planes(planes, wall, [("pressure", True)], pictures, "midplane_pressure", style.COLUMN_WIDTH)
+    draw_planes(planes, wall, [("speed", False)], pictures, "midplane_speed", style.COLUMN_WIDTH)
+
+
+def read_planes(out, instants):
+    """([Plane] at the story's instants, the wall's points near the plane or None)."""
+    chosen = choose_frames(out, read_series(out / "fields"), instants)
+    structure, y = structure_and_axis(out)
     planes = []
     for what, t, path in chosen:
         patches, y = read_plane(path, y)
-        planes.append((what, t, patches, _cut_at(structure, t, y)))
-    wall = wall_points(out) if structure else None
-    if wall is not None:
-        wall = wall[np.abs(wall[:, 1] - y) < 0.04]
+        planes.append(Plane(what, t, patches, cut_at(structure, t, y)))
+    return planes, wall_near(out, y) if structure else None
 
-    rows = len(planes)
-    (z0, z1), (x0, x1) = planes[0][2][0][0], planes[0][2][0][1]
-    for patch in planes[0][2]:
-        z0, z1, x0, x1 = min(z0, patch[0][0]), max(z1, patch[0][1]), min(x0, patch[1][0]), max(x1, patch[1][1])
-    width = 0.425 * style.PAGE_WIDTH
+
+def structure_and_axis(out):
+    """(frames of the leaflets, y of the axis): ([], None) without leaflets."""
+    try:
+        structure = leaflet_frames(out)
+        return structure, fit_annulus(Fibers(structure[0][1]))[0][1]
+    except Missing:
+        return [], None
+
+
+def wall_near(out, y):
+    wall = wall_points(out)
+    return None if wall is None else wall[np.abs(wall[:, 1] - y) < 0.04]
+
+
+def draw_planes(planes, wall, columns, pictures, name, page_width=style.PAGE_WIDTH):
+    """One row per plane, one column per (field, whether the grid is drawn)."""
+    rows, first = len(planes), planes[0].patches
+    z0, z1 = min(p.z[0] for p in first), max(p.z[1] for p in first)
+    x0, x1 = min(p.x[0] for p in first), max(p.x[1] for p in first)
+    margin = 0.46 / page_width
+    width = (page_width * (1 - margin) - 0.11) / (len(columns) + 0.165 * (len(columns) - 1))
     height = width * (x1 - x0) / (z1 - z0)
     total = rows * (height + 0.24) + 1.0
-    figure, axes = plt.subplots(rows, 2, sharex=True, sharey=True, squeeze=False, figsize=(style.PAGE_WIDTH, total))
-    figure.subplots_adjust(left=0.065, right=0.985, top=1 - 0.24 / total, bottom=0.93 / total, wspace=0.165,
+    figure, axes = plt.subplots(rows, len(columns), sharex=True, sharey=True, squeeze=False,
+                                figsize=(page_width, total))
+    figure.subplots_adjust(left=margin, right=1 - 0.11 / page_width, top=1 - 0.24 / total, bottom=0.93 / total, wspace=0.165,
                            hspace=0.24 / height)
-    fields = [[patch[field] for plane in planes for patch in plane[2]] for field in (2, 3)]
-    ranges = [_range(fields[0]), (0, _range(fields[1])[1])]
-    looks = [("viridis", "pressure (mmHg)"), (style.SPEED, "speed (cm/s)")]
-    for row, (what, t, patches, cut) in zip(axes, planes):
-        for field, panel in enumerate(row):
-            for z, x, *values in patches:
-                panel.imshow(values[field], extent=(*z, *x), origin="lower", cmap=looks[field][0], aspect="equal",
-                             vmin=ranges[field][0], vmax=ranges[field][1], interpolation="nearest")
-            if wall is not None:
-                panel.plot(wall[:, 2], wall[:, 0], ".", color="#9a9a9a", markersize=1.0, markeredgewidth=0)
-            for color, size in (("white", 3.0), ("black", 1.7)):
-                panel.plot(cut[:, 2], cut[:, 0], ".", color=color, markersize=size, markeredgewidth=0)
-            panel.set_xlim(z0, z1)
-            panel.set_ylim(x0, x1)
-            panel.xaxis.set_major_locator(MaxNLocator(3, steps=[1, 5, 10]))
-            panel.yaxis.set_major_locator(MaxNLocator(4, integer=True))
-            for spine in panel.spines.values():
-                spine.set_visible(True)
-        row[0].text(0, 1.03, f"{t:.3f} s   {what}", transform=row[0].transAxes, va="bottom")
-        row[0].set_ylabel("x (cm)")
-    for field, (panel, (_, label)) in enumerate(zip(axes[-1], looks)):
-        panel.set_xlabel("z (cm)")
-        place = panel.get_position()
-        bar = figure.add_axes([place.x0 + 0.12 * place.width, 0.42 / total, 0.76 * place.width, 0.09 / total])
-        figure.colorbar(panel.images[0], cax=bar, orientation="horizontal", label=label,
-                        extend="both" if field == 0 else "max")
-    style.save(figure, pictures, "midplane")
+    for (field, with_grid), column in zip(columns, axes.T):
+        low, high = _range([getattr(patch, field) for plane in planes for patch in plane.patches])
+        low = 0 if field == "speed" else low
+        for plane, panel in zip(planes, column):
+            for patch in plane.patches:
+                panel.imshow(getattr(patch, field), extent=(*patch.z, *patch.x), origin="lower", cmap=COLORS[field],
+                             aspect="equal", vmin=low, vmax=high, interpolation="nearest")
+            if with_grid:
+                _draw_grid(panel, plane.patches)
+            _draw_structure(panel, wall, plane.cut)
+            _dress(panel, (z0, z1), (x0, x1))
+        _draw_bar(figure, column[-1], field, total)
+    for plane, panel in zip(planes, axes[:, 0]):
+        panel.text(0, 1.03, f"{plane.t:.3f} s   {plane.what}", transform=panel.transAxes, va="bottom")
+        panel.set_ylabel("x (cm)")
+    style.save(figure, pictures, name)
 
 
-def _cut_at(structure, t, y):
+def _draw_structure(panel, wall, cut):
+    if wall is not None:
+        panel.plot(wall[:, 2], wall[:, 0], ".", color="#9a9a9a", markersize=1.0, markeredgewidth=0)
+    for color, size in (("white", 3.0), ("black", 1.7)):
+        panel.plot(cut[:, 2], cut[:, 0], ".", color=color, markersize=size, markeredgewidth=0)
+
+
+def _draw_grid(panel, patches):
+    """Outlines of the boxes of every level but the coarsest."""
+    for patch in patches:
+        if patch.level > 0:
+            panel.add_patch(Rectangle((patch.z[0], patch.x[0]), np.ptp(patch.z), np.ptp(patch.x), fill=False,
+                                      edgecolor=GRID_COLORS[(patch.level - 1) % 4], linewidth=0.7))
+
+
+def _dress(panel, z, x):
+    panel.set_xlim(*z)
+    panel.set_ylim(*x)
+    panel.xaxis.set_major_locator(MaxNLocator(3, steps=[1, 5, 10]))
+    panel.yaxis.set_major_locator(MaxNLocator(4, integer=True))
+    for spine in panel.spines.values():
+        spine.set_visible(True)
+
+
+def _draw_bar(figure, panel, field, total):
+    panel.set_xlabel("z (cm)")
+    place = panel.get_position()
+    bar = figure.add_axes([place.x0 + 0.12 * place.width, 0.42 / total, 0.76 * place.width, 0.09 / total])
+    figure.colorbar(panel.images[0], cax=bar, orientation="horizontal", label=LABELS[field],
+                    extend="max" if field == "speed" else "both")
+
+
+def cut_at(structure, t, y):
+    """Where the leaflets of the frame nearest to t cross the plane."""
     if not structure:
         return np.zeros((0, 3))
     return cut_of_leaflets(Fibers(min(structure, key=lambda f: abs(f[0] - t))[1]), y)

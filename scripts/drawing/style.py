@@ -5,7 +5,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
 
-PAGE_WIDTH = 7.1  # inches: two columns of a journal
+PAGE_WIDTH = 7.1     # inches: two columns of a journal
+COLUMN_WIDTH = 3.5   # inches: one column, and what a telephone shows
 INK = "#222222"
 GREY = "#8a8a8a"
 VENTRICLE, AORTA, FLOW = "#c8443c", "#2f6db3", "#222222"

@@ -3,50 +3,57 @@ import itertools
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.patheffects import withStroke
 
 from . import style
 from .instants import choose_frames, last_beat, main_flow
+from .metrics import known
 from .run_output import Missing, columns_like, leaflet_frames, read_table
-
-BEAT_ROWS = [  # label, columns, format, unit
-    ("stroke volume", ["stroke_volume_ml"], "{:.1f}", "ml"),
-    ("forward volume", ["forward_volume_ml"], "{:.1f}", "ml"),
-    ("closing volume", ["closing_volume_ml"], "{:.1f}", "ml"),
-    ("leak volume", ["leak_volume_ml"], "{:.1f}", "ml"),
-    ("peak flow", ["peak_flow_ml_s"], "{:.0f}", "ml/s"),
-    ("ejection time", ["ejection_time_s"], "{:.3f}", "s"),
-    ("mean gradient", ["mean_gradient_mmHg"], "{:.1f}", "mmHg"),
-    ("largest orifice", ["max_orifice_area_cm2"], "{:.2f}", "cm²"),
-    ("aorta, sys./dia.", ["p_ao_systolic_mmHg", "p_ao_diastolic_mmHg"], "{:.0f}/{:.0f}", "mmHg"),
-    ("aorta, mean", ["p_ao_mean_mmHg"], "{:.0f}", "mmHg"),
-]
 
 
 def draw(out, pictures):
-    table = read_table(out / "openings.csv")
+    table, beats = _read(out)
+    figure, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(style.PAGE_WIDTH, 4.5),
+                                          gridspec_kw={"height_ratios": [1, 1.25]})
+    figure.subplots_adjust(left=0.09, right=0.74 if beats else 0.92, top=0.93, bottom=0.105, hspace=0.22)
+    _fill(above, below, out, table, beats)
+    if beats:
+        _list_beat(figure, beats)
+    style.save(figure, pictures, "flow_and_pressure", "svg")
+
+
+def draw_column(out, pictures):
+    """flow_and_pressure_column: the same without the numbers, as wide as one column."""
+    table, beats = _read(out)
+    figure, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(style.COLUMN_WIDTH, 4.2),
+                                          gridspec_kw={"height_ratios": [1, 1.25]})
+    figure.subplots_adjust(left=0.175, right=0.84, top=0.93, bottom=0.11, hspace=0.25)
+    _fill(above, below, out, table, beats)
+    style.save(figure, pictures, "flow_and_pressure_column")
+
+
+def _read(out):
+    """(openings.csv, beats.csv or None), both cut to the last beats."""
     try:
         beats = read_table(out / "beats.csv")
     except Missing:
         beats = None
-    table = _last_beats(table, beats)
-    t = table["t_s"]
-    pressures, flows = columns_like(table, r"p_(.+)_mmHg"), columns_like(table, r"Q_(.+)_ml_s")
-    if not pressures or not flows:
+    table = _last_beats(read_table(out / "openings.csv"), beats)
+    if not columns_like(table, r"p_(.+)_mmHg") or not columns_like(table, r"Q_(.+)_ml_s"):
         raise Missing("openings.csv has no pressures or no flows")
+    return table, beats
 
-    figure, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(style.PAGE_WIDTH, 4.5),
-                                          gridspec_kw={"height_ratios": [1, 1.25]})
-    figure.subplots_adjust(left=0.09, right=0.74 if beats else 0.92, top=0.93, bottom=0.105, hspace=0.22)
-    _pressures(above, t, pressures)
-    _flows(below, t, flows, main_flow(table)[0])
+
+def _fill(above, below, out, table, beats):
+    t = table["t_s"]
+    _pressures(above, t, columns_like(table, r"p_(.+)_mmHg"))
+    _flows(below, t, columns_like(table, r"Q_(.+)_ml_s"), main_flow(table)[0])
     _mark_instants(below, out, t, main_flow(table)[1])
     if beats:
         _shade_stroke(below, out, table)
-        _list_beat(figure, beats)
     below.set_xlim(t[0], t[-1] if t[-1] > t[0] else t[0] + 1e-3)
     below.set_xlabel("time (s)")
-    figure.align_ylabels([above, below])
-    style.save(figure, pictures, "flow_and_pressure", "svg")
+    above.figure.align_ylabels([above, below])
 
 
 def _last_beats(table, beats, most=4):
@@ -79,7 +86,9 @@ def _flows(axes, t, flows, main):
     litres.set_ylabel("flow (l/min)")
     litres.spines["right"].set_visible(True)
     if len(flows) > 1:
-        axes.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncol=4, borderaxespad=0, columnspacing=1.4)
+        narrow = axes.figure.get_figwidth() < style.PAGE_WIDTH
+        axes.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncol=3 if narrow else 5, borderaxespad=0,
+                    columnspacing=1.2, fontsize=7 if narrow else 8)
 
 
 def _shade_stroke(axes, out, table):
@@ -101,21 +110,19 @@ def _mark_instants(axes, out, t, q):
         place = (-6 if slope > 0 else 6, 1) if steep else (0, 5) if value > -0.05 * np.ptp(q) else (8, -4)
         axes.plot(time, value, "o", markersize=3.6, color="white", markeredgecolor=style.INK, markeredgewidth=0.9,
                   zorder=5, clip_on=False)
-        axes.annotate(letter, (time, value), xytext=place, textcoords="offset points", ha="center", fontweight="bold")
+        note = axes.annotate(letter, (time, value), xytext=place, textcoords="offset points", ha="center",
+                             fontweight="bold", zorder=6)
+        note.set_path_effects([withStroke(linewidth=2, foreground="white")])
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.06 * (high - low))
 
 
 def _list_beat(figure, beats):
     last = {name: values[-1] for name, values in beats.items()}
-    top, step, left, right = 0.905, 0.052, 0.825, 0.985
+    top, step, left = 0.905, 0.0495, 0.825
     number = int(last.get("beat", len(next(iter(beats.values())))))
     figure.text(left, top, f"Beat {number}", fontweight="bold", va="top")
-    row = 1.25
-    for label, columns, form, unit in BEAT_ROWS:
-        values = [last.get(c, np.nan) for c in columns]
-        if any(isinstance(v, str) or not np.isfinite(v) for v in values):
-            continue
-        figure.text(left, top - row * step, label, va="top", fontsize=7.5, color=style.GREY)
-        figure.text(left, top - (row + 0.52) * step, f"{form.format(*values)} {unit}", va="top", fontsize=8.5)
-        row += 1.5
+    for row, (metric, value) in enumerate(known(last)):
+        y = top - (1.25 + 1.5 * row) * step
+        figure.text(left, y, metric.label, va="top", fontsize=7.5, color=style.GREY)
+        figure.text(left, y - 0.52 * step, f"{metric.form.format(value)} {metric.unit}", va="top", fontsize=8.5)

@@ -17,12 +17,14 @@ namespace valsalva::app {
 
 struct Chosen {
   std::function<int(const Communicator&)> action;  ///< returns the exit code; collective
-  std::function<void()> afterwards;                ///< on rank 0 after MPI has ended, if all went well
+  std::function<int()> afterwards;  ///< the same on rank 0 after MPI has ended, if all went well
 };
 
 void add_run(CLI::App& app, Chosen& chosen);
 void add_check(CLI::App& app, Chosen& chosen);
 void add_keys(CLI::App& app, Chosen& chosen);
+void add_report(CLI::App& app, Chosen& chosen);
+void add_compare(CLI::App& app, Chosen& chosen);
 
 /// The case of a command line: `path` is a case file or a folder with a case.toml.
 struct CaseArguments {
@@ -35,7 +37,7 @@ void add_case_arguments(CLI::App& command, CaseArguments& arguments);
 CaseFile read_case(const CaseArguments& arguments);
 std::string case_file_path(const CaseArguments& arguments);
 
-/// Runs /usr/bin/python3 `script` `out_dir`; a failure is a warning only.
-void draw_pictures(const std::string& script, const std::string& out_dir);
+/// Runs /usr/bin/python3 scripts/`name` with the arguments and returns its exit code. Not while MPI is at work.
+int run_script(const std::string& name, std::vector<std::string> arguments);
 
 }  // namespace valsalva::app

@@ -55,10 +55,12 @@ int main(int argc, char** argv)
     app::add_run(app, chosen);
     app::add_check(app, chosen);
     app::add_keys(app, chosen);
+    app::add_report(app, chosen);
+    app::add_compare(app, chosen);
     code = parse(app, argc, argv, comm);
-    if (code < 0) code = common::end_together(comm, [&] { return chosen.action(comm); });
+    if (code < 0) code = common::end_together(comm, [&] { return chosen.action ? chosen.action(comm) : 0; });
   }
   MPI_Finalize();
-  if (is_root && code == 0 && chosen.afterwards) chosen.afterwards();
+  if (is_root && code == 0 && chosen.afterwards) code = chosen.afterwards();
   return code;
 }

@@ -26,6 +26,18 @@ std::string continue_command(const CaseArguments& of_case, const std::string& ou
   return command;
 }
 
+/// Pictures and report of a run that has ended; without them its results are complete all the same.
+int draw(const std::string& out_dir, bool with_report)
+{
+  const std::string script = with_report ? "report_run.py" : "draw_run.py";
+  if (run_script(script, {out_dir}) != 0)
+    fmt::print(stderr,
+               "warning: pictures or report are missing; the results are complete. To draw again: "
+               "/usr/bin/python3 {}/scripts/{} {}\n",
+               kSourceDir, script, out_dir);
+  return 0;
+}
+
 int run(const RunArguments& arguments, Chosen& chosen, const Communicator& comm)
 {
   const CaseFile case_file = read_case(arguments.of_case);
@@ -34,11 +46,13 @@ int run(const RunArguments& arguments, Chosen& chosen, const Communicator& comm)
   if (options.out_dir.empty()) options.out_dir = common::usual_output_folder(options.case_path);
   if (options.restart.empty()) common::check_output_folder(options.out_dir, options.force, comm);
   options.continue_command = continue_command(arguments.of_case, options.out_dir);
-  options.drawing_script = std::string(kSourceDir) + "/scripts/draw_run.py";
   try {
     const int code = coupling::run_case(case_file, options);
-    if (case_file.section("output").flag("pictures"))
-      chosen.afterwards = [options] { draw_pictures(options.drawing_script, options.out_dir); };
+    const common::CaseTable& output = case_file.section("output");
+    if (output.flag("pictures"))
+      chosen.afterwards = [out = options.out_dir, report = output.flag("report")] {
+        return draw(out, report);
+      };
     return code;
   } catch (const CaseError& error) {
     throw case_file.locate(error);

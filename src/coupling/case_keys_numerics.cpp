@@ -81,6 +81,7 @@ KeySection output_section()
            .at_least(0)
            .or_else({0.5, 3.5, 4.5, 5.5, 8.0, 14.5}),
        flag("pictures", "Draw pictures when the run has ended").or_else(true),
+       flag("report", "Write report.html with the pictures").or_else(true),
        real("progress_every_s", "s", "Seconds of the wall clock between two lines of progress")
            .at_least(0)
            .or_else(5.0)}};

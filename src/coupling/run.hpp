@@ -13,7 +13,6 @@ struct RunOptions {
   bool force = false;            ///< replace what is in `out_dir`
   std::string restart;           ///< checkpoint to continue from: a file, "latest", or empty for a new run
   std::string continue_command;  ///< what to type to continue this run, for people
-  std::string drawing_script;    ///< draws the pictures when the run has ended; may be missing
 };
 
 /// Runs the case and writes into `options.out_dir`, which this call creates. Returns the exit code: 0, also

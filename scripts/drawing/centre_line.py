@@ -1,0 +1,59 @@
+"""centre_line: pressure along the vessel's axis at four instants: closed, opening, peak flow, closed again."""
+import h5py
+import matplotlib.pyplot as plt
+import numpy as np
+
+from . import style
+from .instants import choose_frames
+from .midplane import structure_and_axis
+from .run_output import Fibers, read_series
+from .scene import fit_annulus
+
+INSTANTS = (0, 1, 2, 5)
+LINES = [("#2f6db3", "-"), ("#3a8f5c", "--"), ("#c8443c", "-"), ("#222222", (0, (1.5, 1.5)))]
+
+
+def read_line(path, axis=None):
+    """(z, pressure): the mean of the cells around the axis (x, y), from the finest level that is there."""
+    z, p = np.zeros(0), np.zeros(0)
+    with h5py.File(path, "r") as file:
+        root = file["VTKHDF"]
+        origin = root.attrs["Origin"]
+        for name in sorted((k for k in root if k.startswith("Level")), key=lambda k: int(k[5:])):
+            level = root[name]
+            h = level.attrs["Spacing"][0]
+            boxes = level["AMRBox"][:].reshape(-1, 3, 2)
+            if axis is None:
+                axis = origin[:2] + 0.5 * h * (boxes[:, :2, 1].max(axis=0) + 1)
+            near = [[int(np.floor((axis[d] - origin[d]) / h + shift)) for shift in (-1e-6, 1e-6)] for d in (0, 1)]
+            sums, counts, first = {}, {}, 0
+            for box in boxes:
+                n = box[:, 1] - box[:, 0] + 1
+                values = level["CellData/pressure_mmHg"][first:first + int(np.prod(n))].reshape(n[2], n[1], n[0])
+                first += int(np.prod(n))
+                for i, j in {(i, j) for i in near[0] for j in near[1]}:
+                    if box[0, 0] <= i <= box[0, 1] and box[1, 0] <= j <= box[1, 1]:
+                        for k, value in enumerate(values[:, j - box[1, 0], i - box[0, 0]], start=box[2, 0]):
+                            sums[k], counts[k] = sums.get(k, 0) + value, counts.get(k, 0) + 1
+            here = np.array(sorted(sums), dtype=int)
+            fine = origin[2] + (here + 0.5) * h
+            left = np.array([np.all(np.abs(fine - q) > 1.01 * h) for q in z], dtype=bool)
+            z = np.concatenate([z[left], fine])
+            p = np.concatenate([p[left], [sums[k] / counts[k] for k in here]])
+            z, p = z[np.argsort(z)], p[np.argsort(z)]
+    return z, p
+
+
+def draw(out, pictures):
+    chosen = choose_frames(out, read_series(out / "fields"), INSTANTS)
+    structure, _ = structure_and_axis(out)
+    axis = fit_annulus(Fibers(structure[0][1]))[0][:2] if structure else None
+    figure, axes = plt.subplots(figsize=(style.COLUMN_WIDTH, 3.0))
+    for (what, t, path), (color, line) in zip(chosen, LINES):
+        axes.plot(*read_line(path, axis), color=color, linestyle=line, label=f"{t:.2f} s {what}".strip())
+    axes.set_xlabel("z (cm)")
+    axes.set_ylabel("pressure (mmHg)")
+    axes.set_xlim(left=0)
+    axes.legend(loc="lower left", bbox_to_anchor=(-0.16, 1.0), ncol=2, borderaxespad=0, columnspacing=0.8, handlelength=1.5, fontsize=7)
+    figure.tight_layout(pad=0.5)
+    style.save(figure, pictures, "centre_line", "svg")

@@ -1,0 +1,1 @@
+"""The report of a run as one HTML page; scripts/report_run.py puts it together."""
