@@ -1,22 +1,25 @@
-// Integrates a lumped network in time with CVODE: Adams methods of variable order and step, functional
+// Integrates a lumped network in time with CVODES: Adams methods of variable order and step, functional
 // iteration, relative tolerance 1e-8; absolute tolerances are the relative one times 1 mmHg, 1 ml, 10 ml/s.
 // In intervals shorter than 0.05 s all tolerances shrink in proportion, so that many short advances are as
 // accurate as one long. It stops exactly at the kinks of the sources, and where a valve switches it restarts
 // with the valve's new position. CVODE is re-initialised in every call, so the same state and flows give
 // bitwise the same result, whatever was computed before: iterations of a coupling scheme and restarts repeat
-// exactly. mmHg, ml, s. Source: Hindmarsh et al., ACM Trans Math Softw 31 (2005) 363-396.
+// exactly. With Tangents it carries S = dy/dp along, under the same error control. mmHg, ml, s.
+// Source: Hindmarsh et al., ACM Trans Math Softw 31 (2005) 363-396.
 #pragma once
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "lumped/lumped_state.hpp"
 #include "lumped/network.hpp"
+#include "lumped/tangents.hpp"
 
 namespace valsalva::lumped {
 
-struct CvodeMemory;
+class CvodeMemory;
 
 struct IntegratorStatistics {
   long steps = 0;
@@ -27,7 +30,15 @@ struct IntegratorStatistics {
 class CvodeIntegrator {
  public:
   /// `network` must outlive the integrator.
-  explicit CvodeIntegrator(const LumpedNetwork& network, double rtol = 1e-8);
+  explicit CvodeIntegrator(const LumpedNetwork& network, double rtol = 1e-8)
+      : CvodeIntegrator(network, nullptr, rtol)
+  {
+  }
+  /// With sensitivities along the directions of `tangents`, which must outlive the integrator as well.
+  CvodeIntegrator(const LumpedNetwork& network, Tangents& tangents, double rtol = 1e-8)
+      : CvodeIntegrator(network, &tangents, rtol)
+  {
+  }
   ~CvodeIntegrator();
   CvodeIntegrator(const CvodeIntegrator&) = delete;
   CvodeIntegrator& operator=(const CvodeIntegrator&) = delete;
@@ -37,6 +48,9 @@ class CvodeIntegrator {
   /// unchanged.
   void advance(LumpedState& state, double t_end, std::span<const double> Q_begin,
                std::span<const double> Q_end);
+
+  /// The same with S = dy/dp, without flow through the ports. Only of an integrator with Tangents.
+  void advance(LumpedState& state, Eigen::MatrixXd& S, double t_end);
 
   /// mmHg, one per port.
   std::vector<double> port_pressures(const LumpedState& state, std::span<const double> Q) const
@@ -48,10 +62,12 @@ class CvodeIntegrator {
 
  private:
   struct Callbacks;
+  CvodeIntegrator(const LumpedNetwork& network, Tangents* tangents, double rtol);
 
-  void set_tolerances(double interval);
+  void advance_with(Eigen::MatrixXd* S, LumpedState& state, double t_end);
   void set_port_flows(double t);
   void advance_smooth_piece(LumpedState& state, double stop);
+  void settle(LumpedState& state);
   /// From a fresh start to `stop` or the next switching of a valve. True if valves switched.
   bool run_cvode(LumpedState& state, double stop);
   double first_step(const LumpedState& state, double stop);
@@ -61,21 +77,26 @@ class CvodeIntegrator {
   [[noreturn]] void fail(int flag, double t, double stop) const;
 
   const LumpedNetwork& network_;
+  Tangents* tangents_;  ///< may be null
   double rtol_;
-  NodalCircuit circuit_;
+  NodalCircuit<double> circuit_;
   std::unique_ptr<CvodeMemory> memory_;
   IntegratorStatistics statistics_;
   std::vector<double> scale_;  ///< per state: absolute over relative tolerance
+  std::string message_;        ///< what CVODE last complained of
 
   // The call of advance() in progress.
   double t_begin_ = 0.0, t_end_ = 0.0;
   std::span<const double> Q_begin_, Q_end_;
   std::vector<double> Q_;
+  Eigen::MatrixXd* S_ = nullptr;
   double piece_ = 0.0;
   double step_rtol_ = 0.0;
   std::vector<int> valve_open_;
   std::vector<double> scratch_y_, scratch_rates_, start_rates_;
   std::vector<int> switched_;
+  std::vector<const double*> S_columns_;
+  std::vector<double*> dSdt_columns_;
 };
 
 }  // namespace valsalva::lumped
