@@ -13,9 +13,9 @@ namespace valsalva::lumped {
 
 namespace {
 
-// CVODE bounds the error of each step; with a restart in every advance those errors add up with the number of
-// advances. Below this length the tolerances shrink with the interval, so that the sum does not depend on the
-// splitting.
+// CVODE bounds the error of each step; with a restart in every advance and at every kink those errors add up
+// with the number of pieces. Below this length the tolerances shrink with the piece, so that the sum does not
+// depend on the splitting.
 constexpr double kFullToleranceInterval_s = 0.05;
 constexpr double kSmallestRtol = 1e-13;
 
@@ -137,8 +137,6 @@ void CvodeIntegrator::advance_with(Eigen::MatrixXd* S, LumpedState& state, doubl
     throw SolverError(
         fmt::format("the lumped network stands at t = {} s and cannot go back to {} s", state.t, t_end));
   S_ = S;
-  step_rtol_ = std::max(rtol_ * std::min(1.0, (t_end - state.t) / kFullToleranceInterval_s),
-                        std::min(rtol_, kSmallestRtol));
   LumpedState next = state;
   while (next.t < t_end) {
     const double before = next.t, kink = network_.next_kink(before);
@@ -166,6 +164,8 @@ void CvodeIntegrator::rates(double t, const double* y, double* dydt)
 void CvodeIntegrator::advance_smooth_piece(LumpedState& state, double stop)
 {
   piece_ = 0.5 * (state.t + stop);
+  step_rtol_ = std::max(rtol_ * std::min(1.0, (stop - state.t) / kFullToleranceInterval_s),
+                        std::min(rtol_, kSmallestRtol));
   settle(state);
   for (int switches = 0; stop - state.t > kTimeResolution_s && network_.state_count() > 0; ++switches) {
     if (switches > kMostSwitches)

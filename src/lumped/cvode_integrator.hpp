@@ -1,7 +1,7 @@
 // Integrates a lumped network in time with CVODES: Adams methods of variable order and step, functional
 // iteration, relative tolerance 1e-8; absolute tolerances are the relative one times 1 mmHg, 1 ml, 10 ml/s.
-// In intervals shorter than 0.05 s all tolerances shrink in proportion, so that many short advances are as
-// accurate as one long. It stops exactly at the kinks of the sources, and where a valve switches it restarts
+// In pieces shorter than 0.05 s (of an advance, or between kinks) all tolerances shrink in proportion, so that
+// many short advances are as accurate as one long. It stops exactly at the kinks of the sources, and where a valve switches it restarts
 // with the valve's new position. CVODE is re-initialised in every call, so the same state and flows give
 // bitwise the same result, whatever was computed before: iterations of a coupling scheme and restarts repeat
 // exactly. With Tangents it carries S = dy/dp along, under the same error control. mmHg, ml, s.

@@ -95,7 +95,7 @@ void check_solvable(const NetworkTopology& topology, const std::vector<Joined>& 
     } else if (!j.determined) {
       message = fmt::format(
           "joins only {}, none of which settles its pressure when the valves are closed. Add a "
-          "windkessel3, a chamber or a pressure_source to it, or give a vessel that ends there a compliance.",
+          "windkessel3, a chamber or a pressure_source to it, or give a vessel that begins or ends there a compliance.",
           quoted(j.elements));
     }
     if (!message.empty())

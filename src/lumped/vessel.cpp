@@ -9,14 +9,15 @@ Vessel<Scalar>::Vessel(const ElementInput<Scalar>& input)
       L_(input.number("L_mmHg_s2_ml")),
       C_(input.number("C_ml_mmHg")),
       S_(input.number("S_mmHg_s2_ml2")),
-      initial_pressure_(input.number("initial_pressure_mmHg"))
+      initial_pressure_(input.number("initial_pressure_mmHg")),
+      wall_terminal_(input.word("wall") == "inlet" ? 0 : 1)
 {
 }
 
 template <class Scalar>
 NodeRole Vessel<Scalar>::role(int terminal) const
 {
-  return terminal == 1 && has_wall() ? NodeRole::fixes : NodeRole::none;
+  return terminal == wall_terminal_ && has_wall() ? NodeRole::fixes : NodeRole::none;
 }
 
 template <class Scalar>
@@ -31,7 +32,7 @@ std::vector<StateVariable<Scalar>> Vessel<Scalar>::states() const
 template <class Scalar>
 void Vessel<Scalar>::connect(Instant, LocalState<Scalar> state, NodalCircuit<Scalar>& circuit) const
 {
-  if (has_wall()) circuit.hold_pressure(node(1), state.y[wall()]);
+  if (has_wall()) circuit.hold_pressure(node(wall_terminal_), state.y[wall()]);
   if (has_inertia())
     circuit.add_flow(node(0), node(1), state.y[0]);
   else
@@ -47,7 +48,7 @@ void Vessel<Scalar>::rates(Instant, LocalState<Scalar> state, const NodalCircuit
     const Scalar& Q = state.y[0];
     dydt[0] = (pressure_drop(circuit) - (R_ + S_ * abs(Q)) * Q) / L_;
   }
-  if (has_wall()) dydt[wall()] = circuit.flow_into_holder(node(1)) / C_;
+  if (has_wall()) dydt[wall()] = circuit.flow_into_holder(node(wall_terminal_)) / C_;
 }
 
 template <class Scalar>
@@ -92,15 +93,21 @@ ElementType vessel_type()
           .terminals = {"from", "to"},
           .parameters = {part("R_mmHg_s_ml", "mmHg s/ml", "a resistance", "Resistance of the segment"),
                          part("L_mmHg_s2_ml", "mmHg s^2/ml", "an inertance", "Inertance of the blood in it"),
-                         part("C_ml_mmHg", "ml/mmHg", "a compliance", "Compliance of its wall, at the outlet"),
+                         part("C_ml_mmHg", "ml/mmHg", "a compliance", "Compliance of its wall"),
                          part("S_mmHg_s2_ml2", "mmHg s^2/ml^2", "a stenosis coefficient",
                               "Pressure lost in a stenosis per squared flow"),
+                         {.name = "wall",
+                          .kind = ParameterKind::word,
+                          .quantity = "a place",
+                          .default_word = "outlet",
+                          .choices = {"outlet", "inlet"},
+                          .meaning = "Node whose pressure the compliance fixes"},
                          {.name = "initial_pressure_mmHg",
                           .unit = "mmHg",
                           .quantity = "a pressure",
                           .default_number = 0.0,
                           .meaning = "Pressure of the wall at the start"}},
-          .meaning = "Vessel: L dQ/dt = dp - R Q - S Q|Q|, C dP_to/dt = flow into its outlet",
+          .meaning = "Vessel: L dQ/dt = dp - R Q - S Q|Q|, C dP/dt = flow into its wall",
           .factory = make_element<Vessel, double>,
           .dual_factory = make_element<Vessel, Dual>,
           .check = check_vessel};

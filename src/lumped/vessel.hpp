@@ -1,16 +1,17 @@
 // Segment of a vessel: resistance R, stenosis loss S, inertance L of the blood in it and compliance C of its
-// wall, which lies at its outlet. Each of them may be zero.
+// wall, at its outlet or at its inlet. Each of them may be zero.
 //
 //     from o--->--[ R, S ]--[ L ]--+--o to      dp = P_from - P_to
 //           Q                      |            L dQ/dt = dp - R Q - S Q|Q|     (L = 0: the right side is 0)
-//                                 === C         C dP_to/dt = flow into the node "to"
+//                                 === C         C dP/dt = flow into the node of the wall
 //                                  |
 //   R_mmHg_s_ml  (mmHg s/ml)     L_mmHg_s2_ml  (mmHg s^2/ml)     C_ml_mmHg  (ml/mmHg)
-//   S_mmHg_s2_ml2  (mmHg s^2/ml^2)     initial_pressure_mmHg  P_to at the start, with C only
-// Without a compliance the pressure of "to" is another element's matter; with it, the wall fixes that pressure.
-// Of R and L at least one must be positive, or the two nodes would be one. States: Q (ml/s) if L > 0,
-// P (mmHg, of the wall) if C > 0. Source: Formaggia, Quarteroni & Veneziani, Cardiovascular Mathematics,
-// Springer 2009, chapter 10; stenosis: Young & Tsai, J Biomech 6 (1973) 395-410.
+//   S_mmHg_s2_ml2  (mmHg s^2/ml^2)     wall  "outlet" (default) or "inlet", the node of C
+//   initial_pressure_mmHg  P at the start, with C only
+// The wall fixes the pressure of its node; the other one's is another element's matter. Of R and L at least
+// one must be positive, or the two nodes would be one. States: Q (ml/s) if L > 0, P (mmHg, of the wall) if
+// C > 0. Source: Formaggia, Quarteroni & Veneziani, Cardiovascular Mathematics, Springer 2009, chapter 10;
+// stenosis: Young & Tsai, J Biomech 6 (1973) 395-410.
 #pragma once
 
 #include "lumped/element_types.hpp"
@@ -38,6 +39,7 @@ class Vessel final : public Element<Scalar> {
   std::size_t wall() const { return has_inertia() ? 1 : 0; }  ///< number of the wall's state
 
   Scalar R_, L_, C_, S_, initial_pressure_;
+  int wall_terminal_;
 };
 
 ElementType vessel_type();
