@@ -20,7 +20,7 @@ namespace {
 constexpr double kSampleInterval_s = 1e-3;
 
 /// Which of the network's observables play the part of the aortic valve's flow and of the pressures beside
-/// it: the first valve that leads to the node of the first Windkessel.
+/// it: the first valve from a chamber to a node without a chamber, else the first valve.
 struct AorticValve {
   int flow = -1, p_ventricle = -1, p_aorta = -1;
   AorticValve(const lumped::NetworkSpec& spec, const lumped::LumpedNetwork& network)
@@ -30,17 +30,23 @@ struct AorticValve {
       const auto it = std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
       return it == all.end() ? -1 : static_cast<int>(it - all.begin());
     };
-    for (const lumped::ElementSpec& w : spec.elements) {
-      if (w.type != "windkessel3") continue;
-      const std::string& aorta = w.nodes.at("node");
-      for (const lumped::ElementSpec& v : spec.elements) {
-        if (v.type != "valve" || v.nodes.at("to") != aorta) continue;
-        flow = find("Q_" + v.name + "_ml_s");
-        p_ventricle = find("p_" + v.nodes.at("from") + "_mmHg");
-        p_aorta = find("p_" + aorta + "_mmHg");
-        return;
-      }
+    const auto is_chamber = [&](const std::string& node) {
+      return std::any_of(spec.elements.begin(), spec.elements.end(),
+                         [&](const auto& e) { return e.type == "chamber" && e.nodes.at("node") == node; });
+    };
+    const lumped::ElementSpec* aortic = nullptr;
+    for (const lumped::ElementSpec& v : spec.elements) {
+      if (v.type != "valve" && v.type != "orifice_valve") continue;
+      const bool leaves_heart = is_chamber(v.nodes.at("from")) && !is_chamber(v.nodes.at("to"));
+      if (!aortic) aortic = &v;
+      if (!leaves_heart) continue;
+      aortic = &v;
+      break;
     }
+    if (!aortic) return;
+    flow = find("Q_" + aortic->name + "_ml_s");
+    p_ventricle = find("p_" + aortic->nodes.at("from") + "_mmHg");
+    p_aorta = find("p_" + aortic->nodes.at("to") + "_mmHg");
   }
 };
 
