@@ -67,8 +67,8 @@ struct CvodeIntegrator::Callbacks {
       self.dSdt_columns_[k] = N_VGetArrayPointer(dSdt[k]);
     }
     try {
-      self.tangents_->rates({t, self.piece_}, N_VGetArrayPointer(y), self.valve_open_,
-                            self.S_columns_.data(), self.dSdt_columns_.data());
+      self.tangents_->rates({t, self.piece_}, N_VGetArrayPointer(y), self.valve_open_, self.S_columns_.data(),
+                            self.dSdt_columns_.data());
     } catch (const SolverError&) {
       return 1;
     }
@@ -99,10 +99,10 @@ CvodeIntegrator::CvodeIntegrator(const LumpedNetwork& network, Tangents* tangent
   S_columns_.resize(direction_scale.size());
   dSdt_columns_.resize(direction_scale.size());
   if (network.state_count() > 0)
-    memory_ = std::make_unique<CvodeMemory>(
-        scale_, direction_scale, network.valve_count(),
-        CvodeFunctions{Callbacks::rates, Callbacks::switch_margins, Callbacks::tangents,
-                       Callbacks::keep_message, this});
+    memory_ =
+        std::make_unique<CvodeMemory>(scale_, direction_scale, network.valve_count(),
+                                      CvodeFunctions{Callbacks::rates, Callbacks::switch_margins,
+                                                     Callbacks::tangents, Callbacks::keep_message, this});
 }
 
 CvodeIntegrator::~CvodeIntegrator() = default;

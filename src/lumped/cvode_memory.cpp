@@ -75,9 +75,9 @@ void CvodeMemory::set_up_directions(const CvodeFunctions& functions)
           "CVodeSensInit");
   require(CVodeSetSensErrCon(cvode, SUNTRUE) == CV_SUCCESS, "CVodeSetSensErrCon");
   fixed_point_with_S_.reset(SUNNonlinSol_FixedPointSens(count + 1, y_.get(), 0, context_.get()));
-  require(fixed_point_with_S_ &&
-              CVodeSetNonlinearSolverSensSim(cvode, fixed_point_with_S_.get()) == CV_SUCCESS,
-          "CVodeSetNonlinearSolverSensSim");
+  require(
+      fixed_point_with_S_ && CVodeSetNonlinearSolverSensSim(cvode, fixed_point_with_S_.get()) == CV_SUCCESS,
+      "CVodeSetNonlinearSolverSensSim");
 }
 
 int CvodeMemory::restart(double t, const std::vector<double>& y, const Eigen::MatrixXd* S, double rtol,

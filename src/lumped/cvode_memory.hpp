@@ -41,8 +41,8 @@ class CvodeMemory {
               const CvodeFunctions& functions);
 
   /// Starts afresh at y(t); returns CVODE's flag. `S` may be null if there are no directions.
-  int restart(double t, const std::vector<double>& y, const Eigen::MatrixXd* S, double rtol, double first_step,
-              double stop);
+  int restart(double t, const std::vector<double>& y, const Eigen::MatrixXd* S, double rtol,
+              double first_step, double stop);
   /// To `stop` or a root; returns CVODE's flag and the time reached, y and S there.
   int advance(double stop, double& t, std::vector<double>& y, Eigen::MatrixXd* S);
 

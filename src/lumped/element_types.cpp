@@ -13,8 +13,8 @@ namespace valsalva::lumped {
 const std::vector<ElementType>& element_types()
 {
   static const std::vector<ElementType> types = {
-      windkessel3_type(), windkessel4_type(), vessel_type(), chamber_type(), valve_type(),
-      orifice_valve_type(), pressure_source_type(), flow_source_type()};
+      windkessel3_type(), windkessel4_type(),   vessel_type(),          chamber_type(),
+      valve_type(),       orifice_valve_type(), pressure_source_type(), flow_source_type()};
   return types;
 }
 

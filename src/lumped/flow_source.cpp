@@ -26,15 +26,15 @@ Scalar FlowSource<Scalar>::flow(Instant now, LocalState<Scalar>, const NodalCirc
 
 ElementType flow_source_type()
 {
-  return {
-      .name = "flow_source",
-      .terminals = {"node"},
-      .parameters = waveform_parameters(kValueKey, "ml/s", "a flow", "Flow into the node"),
-      .meaning = "Prescribed flow into a node, constant, Fourier series or table in time",
-      .factory = make_element<FlowSource, double>,
-      .dual_factory = make_element<FlowSource, Dual>,
-      .check = [](const ElementSpec& e, double period_s,
-                  std::vector<CaseProblem>& problems) { check_waveform(e, kValueKey, period_s, problems); }};
+  return {.name = "flow_source",
+          .terminals = {"node"},
+          .parameters = waveform_parameters(kValueKey, "ml/s", "a flow", "Flow into the node"),
+          .meaning = "Prescribed flow into a node, constant, Fourier series or table in time",
+          .factory = make_element<FlowSource, double>,
+          .dual_factory = make_element<FlowSource, Dual>,
+          .check = [](const ElementSpec& e, double period_s, std::vector<CaseProblem>& problems) {
+            check_waveform(e, kValueKey, period_s, problems);
+          }};
 }
 
 }  // namespace valsalva::lumped

@@ -59,8 +59,7 @@ class Shooting {
   {
     const Eigen::ArrayXd y0 = as_vector(begin_.y), y1 = as_vector(end_.y);
     double largest = states_ > 0 ? ((y1 - y0).abs() / (1.0 + y0.abs())).maxCoeff() : 0.0;
-    if (is_closed_)
-      largest = std::max(largest, std::abs(network_.volume(begin_) / target_volume_ - 1.0));
+    if (is_closed_) largest = std::max(largest, std::abs(network_.volume(begin_) / target_volume_ - 1.0));
     return largest;
   }
 
@@ -79,8 +78,7 @@ class Shooting {
     if (is_closed_) {
       // At fixed y0 the volume itself depends on the compliances.
       const Eigen::MatrixXd fixed = Eigen::MatrixXd::Identity(states_, tangents_.count());
-      right.bottomRows(1) =
-          target_gradient_ - tangents_.volume(begin_, fixed).tail(parameter_count());
+      right.bottomRows(1) = target_gradient_ - tangents_.volume(begin_, fixed).tail(parameter_count());
     }
     return solve(right);
   }

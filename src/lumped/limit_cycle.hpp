@@ -17,16 +17,16 @@
 namespace valsalva::lumped {
 
 struct LimitCycle {
-  LumpedState start;           ///< at a multiple of the period, after all that happens once
-  Eigen::MatrixXd S;           ///< d start.y/dp, one column per parameter
-  Eigen::MatrixXd monodromy;   ///< Phi
+  LumpedState start;          ///< at a multiple of the period, after all that happens once
+  Eigen::MatrixXd S;          ///< d start.y/dp, one column per parameter
+  Eigen::MatrixXd monodromy;  ///< Phi
   int newton_steps = 0;
-  double residual = 0.0;       ///< largest |y(T) - y0|/(1 + |y0|)
+  double residual = 0.0;  ///< largest |y(T) - y0|/(1 + |y0|)
 };
 
 struct LimitCycleOptions {
-  double rtol = 1e-8;          ///< of the integration and of the periodicity
-  int beats_before = 2;        ///< marched from the initial state before the first Newton step
+  double rtol = 1e-8;    ///< of the integration and of the periodicity
+  int beats_before = 2;  ///< marched from the initial state before the first Newton step
   int most_steps = 20;
 };
 
@@ -37,11 +37,11 @@ LimitCycle find_limit_cycle(const NetworkSpec& spec, const std::vector<std::stri
 
 /// One beat of the periodic state: observables at given times, with their derivatives.
 struct SampledBeat {
-  std::vector<LumpedState> states;       ///< at the times
-  Eigen::MatrixXd values;                ///< time x observable
+  std::vector<LumpedState> states;         ///< at the times
+  Eigen::MatrixXd values;                  ///< time x observable
   std::vector<Eigen::MatrixXd> gradients;  ///< per observable: time x parameter
-  Eigen::VectorXd integrals;             ///< over the whole period, per observable
-  Eigen::MatrixXd integral_gradients;    ///< observable x parameter
+  Eigen::VectorXd integrals;               ///< over the whole period, per observable
+  Eigen::MatrixXd integral_gradients;      ///< observable x parameter
 };
 
 /// `times` increasing, from 0 to the period; `observables` by name ("p_ao_mmHg", "Q_aortic_ml_s").

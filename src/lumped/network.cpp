@@ -29,9 +29,9 @@ Network<Scalar>::Network(const NetworkSpec& spec, std::span<const std::string> s
   std::vector<std::unique_ptr<Element<Scalar>>> elements;
   std::vector<Joined> joined;
   for (std::size_t e = 0; e < complete.elements.size(); ++e) {
-    elements.push_back(build_element<Scalar>(
-        {complete.elements[e], topology.element_nodes[e], complete.period_s, seeded},
-        complete.elements[e].type));
+    elements.push_back(
+        build_element<Scalar>({complete.elements[e], topology.element_nodes[e], complete.period_s, seeded},
+                              complete.elements[e].type));
     joined.push_back({elements.back()->name(), elements.back()->nodes(), {}});
     for (std::size_t terminal = 0; terminal < joined.back().nodes.size(); ++terminal)
       joined.back().roles.push_back(elements.back()->role(static_cast<int>(terminal)));
@@ -63,7 +63,9 @@ void Network<Scalar>::add_integrals(const std::vector<std::string>& names)
   for (const std::string& name : names) {
     const auto found = std::find_if(observables_.begin(), observables_.end(),
                                     [&](const Quantity& q) { return q.name == name; });
-    if (found == observables_.end()) throw CaseError("integral", fmt::format("of \"{}\", which is no pressure or flow of the network", name));
+    if (found == observables_.end())
+      throw CaseError("integral",
+                      fmt::format("of \"{}\", which is no pressure or flow of the network", name));
     integrals_.push_back(static_cast<int>(found - observables_.begin()));
     states_.push_back({"integral." + name, found->unit == "ml/s" ? "ml" : found->unit + " s", 0.0});
   }
@@ -90,7 +92,7 @@ NetworkState<Scalar> Network<Scalar>::initial_state() const
 
 template <class Scalar>
 LocalState<Scalar> Network<Scalar>::local_state(const Placed& placed, const Scalar* y,
-                                      std::span<const int> valve_open) const
+                                                std::span<const int> valve_open) const
 {
   return {y + placed.first_state,
           placed.valve >= 0 && valve_open[static_cast<std::size_t>(placed.valve)] != 0};
@@ -98,7 +100,7 @@ LocalState<Scalar> Network<Scalar>::local_state(const Placed& placed, const Scal
 
 template <class Scalar>
 void Network<Scalar>::solve_circuit(Instant now, const Scalar* y, std::span<const int> valve_open,
-                                  std::span<const double> Q, NodalCircuit<Scalar>& circuit) const
+                                    std::span<const double> Q, NodalCircuit<Scalar>& circuit) const
 {
   circuit.clear();
   for (std::size_t i = 0; i < port_nodes_.size(); ++i) circuit.add_inflow(port_nodes_[i], Q[i]);
@@ -108,7 +110,7 @@ void Network<Scalar>::solve_circuit(Instant now, const Scalar* y, std::span<cons
 
 template <class Scalar>
 void Network<Scalar>::rates(Instant now, const Scalar* y, std::span<const int> valve_open,
-                          std::span<const double> Q, NodalCircuit<Scalar>& circuit, Scalar* dydt) const
+                            std::span<const double> Q, NodalCircuit<Scalar>& circuit, Scalar* dydt) const
 {
   solve_circuit(now, y, valve_open, Q, circuit);
   for (const Placed& e : elements_)
@@ -119,7 +121,8 @@ void Network<Scalar>::rates(Instant now, const Scalar* y, std::span<const int> v
 
 template <class Scalar>
 void Network<Scalar>::switch_margins(Instant now, const Scalar* y, std::span<const int> valve_open,
-                                   std::span<const double> Q, NodalCircuit<Scalar>& circuit, Scalar* margins) const
+                                     std::span<const double> Q, NodalCircuit<Scalar>& circuit,
+                                     Scalar* margins) const
 {
   solve_circuit(now, y, valve_open, Q, circuit);
   for (std::size_t v = 0; v < valves_.size(); ++v) {
@@ -138,8 +141,9 @@ void Network<Scalar>::switch_valve(int valve, NetworkState<Scalar>& state) const
 }
 
 template <class Scalar>
-std::vector<int> Network<Scalar>::settle_valves(Instant now, NetworkState<Scalar>& state, std::span<const double> Q,
-                                 NodalCircuit<Scalar>& circuit) const
+std::vector<int> Network<Scalar>::settle_valves(Instant now, NetworkState<Scalar>& state,
+                                                std::span<const double> Q,
+                                                NodalCircuit<Scalar>& circuit) const
 {
   std::vector<int> switched;
   if (valves_.empty()) return switched;
@@ -158,7 +162,8 @@ std::vector<int> Network<Scalar>::settle_valves(Instant now, NetworkState<Scalar
 }
 
 template <class Scalar>
-NodalCircuit<Scalar> Network<Scalar>::circuit_at(const NetworkState<Scalar>& state, std::span<const double> Q) const
+NodalCircuit<Scalar> Network<Scalar>::circuit_at(const NetworkState<Scalar>& state,
+                                                 std::span<const double> Q) const
 {
   NodalCircuit<Scalar> circuit = make_circuit();
   solve_circuit(just_after(state.t), state.y.data(), state.valve_open, Q, circuit);
@@ -166,7 +171,8 @@ NodalCircuit<Scalar> Network<Scalar>::circuit_at(const NetworkState<Scalar>& sta
 }
 
 template <class Scalar>
-std::vector<Scalar> Network<Scalar>::port_pressures(const NetworkState<Scalar>& state, std::span<const double> Q) const
+std::vector<Scalar> Network<Scalar>::port_pressures(const NetworkState<Scalar>& state,
+                                                    std::span<const double> Q) const
 {
   const NodalCircuit<Scalar> circuit = circuit_at(state, Q);
   std::vector<Scalar> p;
@@ -175,7 +181,8 @@ std::vector<Scalar> Network<Scalar>::port_pressures(const NetworkState<Scalar>& 
 }
 
 template <class Scalar>
-std::vector<Scalar> Network<Scalar>::observe(const NetworkState<Scalar>& state, std::span<const double> Q) const
+std::vector<Scalar> Network<Scalar>::observe(const NetworkState<Scalar>& state,
+                                             std::span<const double> Q) const
 {
   const NodalCircuit<Scalar> circuit = circuit_at(state, Q);
   std::vector<Scalar> values;

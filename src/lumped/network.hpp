@@ -70,7 +70,8 @@ class Network {
                       std::span<const double> Q, NodalCircuit<Scalar>& circuit, Scalar* margins) const;
   void switch_valve(int valve, NetworkState<Scalar>& state) const;
   /// Switches valves, one after the other, until all are consistent with the pressures; returns which.
-  std::vector<int> settle_valves(Instant now, NetworkState<Scalar>& state, std::span<const double> Q, NodalCircuit<Scalar>& circuit) const;
+  std::vector<int> settle_valves(Instant now, NetworkState<Scalar>& state, std::span<const double> Q,
+                                 NodalCircuit<Scalar>& circuit) const;
 
  private:
   void place(std::unique_ptr<Element<Scalar>> element);
@@ -80,7 +81,8 @@ class Network {
     int first_state;
     int valve;  ///< -1: not a valve
   };
-  LocalState<Scalar> local_state(const Placed& placed, const Scalar* y, std::span<const int> valve_open) const;
+  LocalState<Scalar> local_state(const Placed& placed, const Scalar* y,
+                                 std::span<const int> valve_open) const;
   Scalar observable(int number, Instant now, const Scalar* y, std::span<const int> valve_open,
                     const NodalCircuit<Scalar>& circuit) const;
   NodalCircuit<Scalar> circuit_at(const NetworkState<Scalar>& state, std::span<const double> Q) const;

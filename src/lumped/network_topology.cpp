@@ -30,8 +30,7 @@ struct Junction {
   bool is_port = false;
 };
 
-std::vector<Junction> junctions(const NetworkTopology& topology,
-                                const std::vector<Joined>& elements)
+std::vector<Junction> junctions(const NetworkTopology& topology, const std::vector<Joined>& elements)
 {
   std::vector<Junction> all(topology.node_names.size());
   for (const Joined& joined : elements)
@@ -95,7 +94,8 @@ void check_solvable(const NetworkTopology& topology, const std::vector<Joined>& 
     } else if (!j.determined) {
       message = fmt::format(
           "joins only {}, none of which settles its pressure when the valves are closed. Add a "
-          "windkessel3, a chamber or a pressure_source to it, or give a vessel that begins or ends there a compliance.",
+          "windkessel3, a chamber or a pressure_source to it, or give a vessel that begins or ends there a "
+          "compliance.",
           quoted(j.elements));
     }
     if (!message.empty())

@@ -29,7 +29,9 @@ void solve_positive_definite(std::vector<Scalar>& matrix, std::vector<Scalar>& x
 }  // namespace
 
 template <class Scalar>
-NodalCircuit<Scalar>::NodalCircuit(int nodes) : nodes_(static_cast<std::size_t>(nodes)) {}
+NodalCircuit<Scalar>::NodalCircuit(int nodes) : nodes_(static_cast<std::size_t>(nodes))
+{
+}
 
 template <class Scalar>
 void NodalCircuit<Scalar>::clear()
@@ -109,7 +111,9 @@ void NodalCircuit<Scalar>::solve_coupled_resistors()
   drive_.resize(count);
   Q_.assign(count, 0.0);
   residual_.resize(count);
-  const auto incidence = [](const Resistor& r, int node) { return 1.0 * ((r.from == node) - (r.to == node)); };
+  const auto incidence = [](const Resistor& r, int node) {
+    return 1.0 * ((r.from == node) - (r.to == node));
+  };
   for (std::size_t i = 0; i < count; ++i) {
     const Resistor& ri = resistors_[i];
     const Node &a = at(ri.from), &b = at(ri.to);

@@ -81,35 +81,37 @@ void check_areas(const ElementSpec& e, double, std::vector<CaseProblem>& problem
 {
   const double open = e.numbers.at("area_open_cm2"), closed = e.numbers.at("area_closed_cm2");
   if (closed >= open)
-    problems.push_back({"", 0, 0, element_key(e, "area_closed_cm2"),
-                        fmt::format("is {} cm^2, not less than area_open_cm2 = {}; swap the two?", closed, open)});
+    problems.push_back(
+        {"", 0, 0, element_key(e, "area_closed_cm2"),
+         fmt::format("is {} cm^2, not less than area_open_cm2 = {}; swap the two?", closed, open)});
 }
 
 }  // namespace
 
 ElementType orifice_valve_type()
 {
-  return {.name = "orifice_valve",
-          .terminals = {"from", "to"},
-          .parameters = {positive("area_open_cm2", "cm^2", "an area", {}, 4.0, "Orifice of the open valve"),
-                         positive("area_closed_cm2", "cm^2", "an area", 1e-4, 1e-4,
-                                  "Orifice of the closed valve, through which it leaks"),
-                         positive("length_cm", "cm", "a length", 1.0, 1.0, "Length of the accelerated blood"),
-                         positive("opening_1_mmHg_s", "1/mmHg/s", "a rate", 20.0, 20.0,
-                                  "Opening rate of the leaflets per mmHg"),
-                         positive("closing_1_mmHg_s", "1/mmHg/s", "a rate", 20.0, 20.0,
-                                  "Closing rate of the leaflets per mmHg"),
-                         {.name = "R_mmHg_s_ml",
-                          .unit = "mmHg s/ml",
-                          .quantity = "a resistance",
-                          .default_number = 0.0,
-                          .lowest = 0.0,
-                          .meaning = "Viscous resistance"},
-                         positive("density_g_cm3", "g/cm^3", "a density", 1.06, 1.06, "Density of the blood")},
-          .meaning = "Valve with leaflets that need time: orifice area A(zeta), Bernoulli loss rho Q|Q|/(2 A^2)",
-          .factory = make_element<OrificeValve, double>,
-          .dual_factory = make_element<OrificeValve, Dual>,
-          .check = check_areas};
+  return {
+      .name = "orifice_valve",
+      .terminals = {"from", "to"},
+      .parameters = {positive("area_open_cm2", "cm^2", "an area", {}, 4.0, "Orifice of the open valve"),
+                     positive("area_closed_cm2", "cm^2", "an area", 1e-4, 1e-4,
+                              "Orifice of the closed valve, through which it leaks"),
+                     positive("length_cm", "cm", "a length", 1.0, 1.0, "Length of the accelerated blood"),
+                     positive("opening_1_mmHg_s", "1/mmHg/s", "a rate", 20.0, 20.0,
+                              "Opening rate of the leaflets per mmHg"),
+                     positive("closing_1_mmHg_s", "1/mmHg/s", "a rate", 20.0, 20.0,
+                              "Closing rate of the leaflets per mmHg"),
+                     {.name = "R_mmHg_s_ml",
+                      .unit = "mmHg s/ml",
+                      .quantity = "a resistance",
+                      .default_number = 0.0,
+                      .lowest = 0.0,
+                      .meaning = "Viscous resistance"},
+                     positive("density_g_cm3", "g/cm^3", "a density", 1.06, 1.06, "Density of the blood")},
+      .meaning = "Valve with leaflets that need time: orifice area A(zeta), Bernoulli loss rho Q|Q|/(2 A^2)",
+      .factory = make_element<OrificeValve, double>,
+      .dual_factory = make_element<OrificeValve, Dual>,
+      .check = check_areas};
 }
 
 }  // namespace valsalva::lumped

@@ -26,15 +26,15 @@ Scalar PressureSource<Scalar>::flow(Instant, LocalState<Scalar>, const NodalCirc
 
 ElementType pressure_source_type()
 {
-  return {
-      .name = "pressure_source",
-      .terminals = {"node"},
-      .parameters = waveform_parameters(kValueKey, "mmHg", "a pressure", "Pressure of the node"),
-      .meaning = "Prescribed pressure, constant, Fourier series or table in time",
-      .factory = make_element<PressureSource, double>,
-      .dual_factory = make_element<PressureSource, Dual>,
-      .check = [](const ElementSpec& e, double period_s,
-                  std::vector<CaseProblem>& problems) { check_waveform(e, kValueKey, period_s, problems); }};
+  return {.name = "pressure_source",
+          .terminals = {"node"},
+          .parameters = waveform_parameters(kValueKey, "mmHg", "a pressure", "Pressure of the node"),
+          .meaning = "Prescribed pressure, constant, Fourier series or table in time",
+          .factory = make_element<PressureSource, double>,
+          .dual_factory = make_element<PressureSource, Dual>,
+          .check = [](const ElementSpec& e, double period_s, std::vector<CaseProblem>& problems) {
+            check_waveform(e, kValueKey, period_s, problems);
+          }};
 }
 
 }  // namespace valsalva::lumped

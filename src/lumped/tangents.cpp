@@ -90,7 +90,8 @@ Eigen::MatrixXd Tangents::initial() const
     for (Eigen::Index i = 0; i < S.rows(); ++i)
       for (Eigen::Index k = 0; k < b.count; ++k) {
         const auto row = static_cast<std::size_t>(i);
-        const bool is_this = b.network->states()[row].name == directions_[static_cast<std::size_t>(b.first + k)];
+        const bool is_this =
+            b.network->states()[row].name == directions_[static_cast<std::size_t>(b.first + k)];
         S(i, b.first + k) = is_this ? 1.0 : start.y[row].tangent[k];
       }
   }

@@ -93,14 +93,13 @@ ElementType valve_type()
       .meaning = "Valve: L dQ/dt = dp - R Q - B Q|Q| while open, no backflow",
       .factory = make_element<Valve, double>,
       .dual_factory = make_element<Valve, Dual>,
-      .check =
-          [](const ElementSpec& e, double, std::vector<CaseProblem>& problems) {
-            if (e.numbers.at("R_mmHg_s_ml") == 0.0 && e.numbers.at("L_mmHg_s2_ml") == 0.0)
-              problems.push_back(
-                  {"", 0, 0, element_key(e, "R_mmHg_s_ml"),
-                   "is 0 in a valve without inertance, whose flow would be undefined; give a small "
-                   "resistance (0.005 mmHg s/ml) or L_mmHg_s2_ml."});
-          }};
+      .check = [](const ElementSpec& e, double, std::vector<CaseProblem>& problems) {
+        if (e.numbers.at("R_mmHg_s_ml") == 0.0 && e.numbers.at("L_mmHg_s2_ml") == 0.0)
+          problems.push_back(
+              {"", 0, 0, element_key(e, "R_mmHg_s_ml"),
+               "is 0 in a valve without inertance, whose flow would be undefined; give a small "
+               "resistance (0.005 mmHg s/ml) or L_mmHg_s2_ml."});
+      }};
 }
 
 }  // namespace valsalva::lumped

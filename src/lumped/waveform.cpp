@@ -161,8 +161,9 @@ void check_waveform(const ElementSpec& element, const std::string& value_key, do
   const bool has_harmonics =
       !list("cosine" + unit_ending(value_key)).empty() || !list("sine" + unit_ending(value_key)).empty();
   if (has_harmonics && values.size() > 1)
-    report(value_key, "is a table, but a Fourier series is given too; keep one of them. The constant of a "
-                      "series is one number.");
+    report(value_key,
+           "is a table, but a Fourier series is given too; keep one of them. The constant of a "
+           "series is one number.");
   if (has_harmonics && period_s <= 0.0)
     report("cosine" + unit_ending(value_key),
            "needs the heart period, and the case names none; give time.period_s.");

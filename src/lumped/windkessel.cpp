@@ -82,34 +82,35 @@ ElementParameter positive(const std::string& name, const std::string& unit, cons
 
 ElementType common_type()
 {
-  return {.terminals = {"node"},
-          .parameters = {{.name = "Rc_mmHg_s_ml",
-                          .unit = "mmHg s/ml",
-                          .quantity = "a resistance",
-                          .lowest = 0.0,
-                          .usual = 0.033,
-                          .meaning = "Characteristic resistance; 0 gives the two-element Windkessel"},
-                         positive("Rp_mmHg_s_ml", "mmHg s/ml", "a peripheral resistance", 0.79,
-                                  "Peripheral resistance"),
-                         positive("C_ml_mmHg", "ml/mmHg", "a compliance", 1.75, "Arterial compliance"),
-                         {.name = "initial_pressure_mmHg",
-                          .unit = "mmHg",
-                          .quantity = "a pressure",
-                          .usual = 80.0,
-                          .meaning = "Pressure of the compliance at the start"},
-                         {.name = "distal_pressure_mmHg",
-                          .unit = "mmHg",
-                          .quantity = "a pressure",
-                          .default_number = 0.0,
-                          .meaning = "Pressure behind the peripheral resistance"},
-                         {.name = "pressurise_s",
-                          .unit = "s",
-                          .quantity = "a time",
-                          .default_number = 0.0,
-                          .lowest = 0.0,
-                          .meaning = "Until then the node's pressure rises linearly to the initial pressure"}},
-          .factory = make_element<Windkessel, double>,
-          .dual_factory = make_element<Windkessel, Dual>};
+  return {
+      .terminals = {"node"},
+      .parameters = {{.name = "Rc_mmHg_s_ml",
+                      .unit = "mmHg s/ml",
+                      .quantity = "a resistance",
+                      .lowest = 0.0,
+                      .usual = 0.033,
+                      .meaning = "Characteristic resistance; 0 gives the two-element Windkessel"},
+                     positive("Rp_mmHg_s_ml", "mmHg s/ml", "a peripheral resistance", 0.79,
+                              "Peripheral resistance"),
+                     positive("C_ml_mmHg", "ml/mmHg", "a compliance", 1.75, "Arterial compliance"),
+                     {.name = "initial_pressure_mmHg",
+                      .unit = "mmHg",
+                      .quantity = "a pressure",
+                      .usual = 80.0,
+                      .meaning = "Pressure of the compliance at the start"},
+                     {.name = "distal_pressure_mmHg",
+                      .unit = "mmHg",
+                      .quantity = "a pressure",
+                      .default_number = 0.0,
+                      .meaning = "Pressure behind the peripheral resistance"},
+                     {.name = "pressurise_s",
+                      .unit = "s",
+                      .quantity = "a time",
+                      .default_number = 0.0,
+                      .lowest = 0.0,
+                      .meaning = "Until then the node's pressure rises linearly to the initial pressure"}},
+      .factory = make_element<Windkessel, double>,
+      .dual_factory = make_element<Windkessel, Dual>};
 }
 
 }  // namespace
@@ -129,9 +130,8 @@ ElementType windkessel4_type()
   type.meaning = "Arterial tree with an inertance L beside Rc: P = Pc + Rc (Q - QL), L dQL/dt = Rc (Q - QL)";
   type.parameters.front() =
       positive("Rc_mmHg_s_ml", "mmHg s/ml", "a resistance", 0.056, "Characteristic resistance");
-  type.parameters.insert(
-      type.parameters.begin() + 3,
-      positive("L_mmHg_s2_ml", "mmHg s^2/ml", "an inertance", 0.0051, "Total arterial inertance"));
+  type.parameters.insert(type.parameters.begin() + 3, positive("L_mmHg_s2_ml", "mmHg s^2/ml", "an inertance",
+                                                               0.0051, "Total arterial inertance"));
   return type;
 }
 

@@ -41,8 +41,12 @@ TEST(LimitCycle, WindkesselUnderThreeHarmonicsHasItsImpedance)
 {
   const double T = 0.8, mean = 90.0;
   const std::vector<double> a = {60.0, -45.0, 12.0}, b = {110.0, 20.0, -30.0};
-  ElementSpec source{"heart", "flow_source", {{"node", "ao"}}, {},
-                     {{"flow_ml_s", {mean}}, {"cosine_ml_s", a}, {"sine_ml_s", b}}, {}};
+  ElementSpec source{"heart",
+                     "flow_source",
+                     {{"node", "ao"}},
+                     {},
+                     {{"flow_ml_s", {mean}}, {"cosine_ml_s", a}, {"sine_ml_s", b}},
+                     {}};
   const auto exact = [&](double t) {
     double p = mean * (kRc + kRp);
     for (std::size_t k = 0; k < a.size(); ++k) {
@@ -101,10 +105,9 @@ TEST(LimitCycle, WindkesselUnderAHalfSineInflowIsTheClosedForm)
     return x > ejection ? Pc * std::exp(-(x - ejection) / tau) : Pc;
   };
   const double start = Pc_at(0.0, T) / (1.0 - std::exp(-T / tau));
-  EXPECT_LT(error_of_range(driven_windkessel(source, T),
-                           [&](double x) {
-                             return Pc_at(start, x) + (x < ejection ? kRc * Q * std::sin(w * x) : 0.0);
-                           }),
+  EXPECT_LT(error_of_range(
+                driven_windkessel(source, T),
+                [&](double x) { return Pc_at(start, x) + (x < ejection ? kRc * Q * std::sin(w * x) : 0.0); }),
             1e-6);
 }
 
