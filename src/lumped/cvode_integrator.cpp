@@ -117,15 +117,24 @@ void CvodeIntegrator::advance(LumpedState& state, double t_end, std::span<const 
   t_end_ = t_end;
   Q_begin_ = Q_begin;
   Q_end_ = Q_end;
+  times_ = {};
   advance_with(nullptr, state, t_end);
 }
 
 void CvodeIntegrator::advance(LumpedState& state, Eigen::MatrixXd& S, double t_end)
 {
+  advance(state, S, t_end, {}, [](const LumpedState&, const Eigen::MatrixXd&) {});
+}
+
+void CvodeIntegrator::advance(LumpedState& state, Eigen::MatrixXd& S, double t_end,
+                              std::span<const double> times, const SensitivityObserver& observe)
+{
   const std::vector<double> no_flow(Q_.size(), 0.0);
   t_begin_ = state.t;
   t_end_ = t_end;
   Q_begin_ = Q_end_ = no_flow;
+  times_ = times;
+  observe_ = &observe;
   Eigen::MatrixXd next = S;
   advance_with(&next, state, t_end);
   S = std::move(next);
@@ -138,12 +147,14 @@ void CvodeIntegrator::advance_with(Eigen::MatrixXd* S, LumpedState& state, doubl
         fmt::format("the lumped network stands at t = {} s and cannot go back to {} s", state.t, t_end));
   S_ = S;
   LumpedState next = state;
+  observe_due(next);
   while (next.t < t_end) {
     const double before = next.t, kink = network_.next_kink(before);
     const bool crosses = kink < t_end - kTimeResolution_s;
     advance_smooth_piece(next, crosses ? kink : t_end);
     if (S && crosses)
       tangents_->follow_kink(before, 0.5 * (kink + std::min(t_end, network_.next_kink(kink))), next, *S);
+    observe_due(next);
   }
   state = std::move(next);
 }
@@ -195,7 +206,13 @@ bool CvodeIntegrator::run_cvode(LumpedState& state, double stop)
   valve_open_ = state.valve_open;
   double t = state.t;
   int flag = memory_->restart(t, state.y, S_, step_rtol_, first_step(state, stop), stop);
-  if (flag == CV_SUCCESS) flag = memory_->advance(stop, t, state.y, S_);
+  while (flag >= 0 && flag != CV_ROOT_RETURN && t < stop) {
+    const bool samples = !times_.empty() && times_.front() < stop;
+    flag = memory_->advance(samples ? times_.front() : stop, t, state.y, S_);
+    if (!samples || flag < 0 || flag == CV_ROOT_RETURN) break;
+    state.t = t;
+    observe_due(state);
+  }
   if (flag < 0) fail(flag, t, stop);
   long steps = 0;
   CVodeGetNumSteps(memory_->cvode(), &steps);
@@ -211,6 +228,12 @@ bool CvodeIntegrator::run_cvode(LumpedState& state, double stop)
       ++statistics_.events;
     }
   return true;
+}
+
+void CvodeIntegrator::observe_due(const LumpedState& state)
+{
+  for (; !times_.empty() && times_.front() <= state.t + kTimeResolution_s; times_ = times_.subspan(1))
+    (*observe_)(state, *S_);
 }
 
 double CvodeIntegrator::first_step(const LumpedState& state, double stop)

@@ -8,6 +8,7 @@
 // Source: Hindmarsh et al., ACM Trans Math Softw 31 (2005) 363-396.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -26,6 +27,8 @@ struct IntegratorStatistics {
   long rhs_evaluations = 0;
   long events = 0;  ///< valves that switched
 };
+
+using SensitivityObserver = std::function<void(const LumpedState& state, const Eigen::MatrixXd& S)>;
 
 class CvodeIntegrator {
  public:
@@ -51,6 +54,10 @@ class CvodeIntegrator {
 
   /// The same with S = dy/dp, without flow through the ports. Only of an integrator with Tangents.
   void advance(LumpedState& state, Eigen::MatrixXd& S, double t_end);
+  /// The same, with `observe` called at each of `times` (increasing, from state.t to t_end). Between events
+  /// CVODES' own interpolation serves: samples cost no restart.
+  void advance(LumpedState& state, Eigen::MatrixXd& S, double t_end, std::span<const double> times,
+               const SensitivityObserver& observe);
 
   /// mmHg, one per port.
   std::vector<double> port_pressures(const LumpedState& state, std::span<const double> Q) const
@@ -70,6 +77,7 @@ class CvodeIntegrator {
   void settle(LumpedState& state);
   /// From a fresh start to `stop` or the next switching of a valve. True if valves switched.
   bool run_cvode(LumpedState& state, double stop);
+  void observe_due(const LumpedState& state);
   double first_step(const LumpedState& state, double stop);
   /// Over an interval too short for CVODE.
   void step_over(LumpedState& state, double stop);
@@ -90,6 +98,8 @@ class CvodeIntegrator {
   std::span<const double> Q_begin_, Q_end_;
   std::vector<double> Q_;
   Eigen::MatrixXd* S_ = nullptr;
+  std::span<const double> times_;  ///< still to be observed
+  const SensitivityObserver* observe_ = nullptr;
   double piece_ = 0.0;
   double step_rtol_ = 0.0;
   std::vector<int> valve_open_;

@@ -25,6 +25,22 @@ Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& v)
   return {v.data(), static_cast<Eigen::Index>(v.size())};
 }
 
+constexpr double kLittle_s = 1e-6;
+
+/// The state moved on by kLittle_s along its rates.
+LumpedState little_later(const LumpedNetwork& network, const LumpedState& state,
+                         const std::vector<double>& no_flow)
+{
+  LumpedState later = state;
+  std::vector<double> rates(state.y.size());
+  NodalCircuit<double> circuit = network.make_circuit();
+  network.rates({state.t, state.t + kTimeResolution_s}, state.y.data(), state.valve_open, no_flow, circuit,
+                rates.data());
+  later.t += kLittle_s;
+  for (std::size_t i = 0; i < rates.size(); ++i) later.y[i] += kLittle_s * rates[i];
+  return later;
+}
+
 /// One heart beat as a map of the state, with all its derivatives.
 class Shooting {
  public:
@@ -195,20 +211,27 @@ SampledBeat sample_beat(const NetworkSpec& given, const LimitCycle& cycle,
   S.topRows(cycle.S.rows()) = cycle.S;
   SampledBeat beat;
   beat.values.resize(count, observed);
+  beat.slopes.resize(count, observed);
   beat.gradients.assign(observables.size(), Eigen::MatrixXd(count, tangents.count()));
   const std::vector<double> no_flow(static_cast<std::size_t>(network.port_count()), 0.0);
-  for (Eigen::Index n = 0; n < count; ++n) {
-    integrator.advance(state, S, cycle.start.t + times[static_cast<std::size_t>(n)]);
-    const std::vector<double> seen = network.observe(state, no_flow);
-    const Eigen::MatrixXd gradient = tangents.observe(state, S);
+  std::vector<double> at(times);
+  for (double& t : at) t += cycle.start.t;
+  Eigen::Index n = 0;
+  const auto record = [&](const LumpedState& now, const Eigen::MatrixXd& S_now) {
+    const std::vector<double> seen = network.observe(now, no_flow);
+    const std::vector<double> later = network.observe(little_later(network, now, no_flow), no_flow);
+    const Eigen::MatrixXd gradient = tangents.observe(now, S_now);
     for (Eigen::Index o = 0; o < observed; ++o) {
       const std::size_t number = numbers[static_cast<std::size_t>(o)];
       beat.values(n, o) = seen[number];
+      beat.slopes(n, o) = (later[number] - seen[number]) / kLittle_s;
       beat.gradients[static_cast<std::size_t>(o)].row(n) = gradient.row(static_cast<Eigen::Index>(number));
     }
-    beat.states.push_back(state);
-  }
-  integrator.advance(state, S, cycle.start.t + spec.period_s);
+    beat.states.push_back(now);
+    ++n;
+  };
+  const double end = cycle.start.t + std::max(spec.period_s, times.empty() ? 0.0 : times.back());
+  integrator.advance(state, S, end, at, record);
   beat.integrals = as_vector(state.y).tail(observed);
   beat.integral_gradients = S.bottomRows(observed);
   return beat;

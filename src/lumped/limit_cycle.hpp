@@ -39,12 +39,13 @@ LimitCycle find_limit_cycle(const NetworkSpec& spec, const std::vector<std::stri
 struct SampledBeat {
   std::vector<LumpedState> states;         ///< at the times
   Eigen::MatrixXd values;                  ///< time x observable
+  Eigen::MatrixXd slopes;                  ///< their time derivatives, to about six digits
   std::vector<Eigen::MatrixXd> gradients;  ///< per observable: time x parameter
   Eigen::VectorXd integrals;               ///< over the whole period, per observable
   Eigen::MatrixXd integral_gradients;      ///< observable x parameter
 };
 
-/// `times` increasing, from 0 to the period; `observables` by name ("p_ao_mmHg", "Q_aortic_ml_s").
+/// `times` increasing, from 0; beyond the period the integrals go on to the last; `observables` by name ("p_ao_mmHg", "Q_aortic_ml_s").
 SampledBeat sample_beat(const NetworkSpec& spec, const LimitCycle& cycle,
                         const std::vector<std::string>& parameters,
                         const std::vector<std::string>& observables, const std::vector<double>& times,

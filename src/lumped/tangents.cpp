@@ -77,6 +77,7 @@ Tangents::Tangents(const NetworkSpec& spec, std::vector<std::string> directions)
     bundles_.push_back({std::move(network), std::move(circuit), static_cast<Eigen::Index>(first),
                         static_cast<Eigen::Index>(lanes)});
   }
+  observable_count_ = static_cast<Eigen::Index>(plain.observables().size());
   no_flow_.assign(static_cast<std::size_t>(plain.port_count()), 0.0);
   y_.resize(static_cast<std::size_t>(plain.state_count()));
   rates_ = y_;
@@ -154,10 +155,9 @@ void Tangents::follow_kink(double t_before, double t_after, const LumpedState& s
 
 Eigen::MatrixXd Tangents::observe(const LumpedState& state, const Eigen::MatrixXd& S) const
 {
-  Eigen::MatrixXd result;
+  Eigen::MatrixXd result(observable_count_, count());
   for (const Bundle& b : bundles_) {
     const std::vector<Dual> seen = b.network->observe(dual_state(b, state, S), no_flow_);
-    result.conservativeResize(static_cast<Eigen::Index>(seen.size()), count());
     for (std::size_t i = 0; i < seen.size(); ++i)
       for (Eigen::Index k = 0; k < b.count; ++k)
         result(static_cast<Eigen::Index>(i), b.first + k) = seen[i].tangent[k];

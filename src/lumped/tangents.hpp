@@ -58,6 +58,7 @@ class Tangents {
   std::vector<std::string> directions_;
   std::vector<double> scales_;
   std::vector<Bundle> bundles_;
+  Eigen::Index observable_count_ = 0;
   std::vector<double> no_flow_;  ///< through the ports
   std::vector<Dual> y_, rates_;
 };
