@@ -146,6 +146,7 @@ void CvodeIntegrator::advance_with(Eigen::MatrixXd* S, LumpedState& state, doubl
     throw SolverError(
         fmt::format("the lumped network stands at t = {} s and cannot go back to {} s", state.t, t_end));
   S_ = S;
+  switchings_.clear();
   LumpedState next = state;
   observe_due(next);
   while (next.t < t_end) {
@@ -195,10 +196,14 @@ void CvodeIntegrator::advance_smooth_piece(LumpedState& state, double stop)
 void CvodeIntegrator::settle(LumpedState& state)
 {
   set_port_flows(state.t);
-  for (int valve : network_.settle_valves({state.t, piece_}, state, Q_, circuit_)) {
-    if (S_) tangents_->follow_switch(valve, state, *S_);
-    ++statistics_.events;
-  }
+  for (int valve : network_.settle_valves({state.t, piece_}, state, Q_, circuit_)) note_switch(valve, state);
+}
+
+void CvodeIntegrator::note_switch(int valve, const LumpedState& state)
+{
+  if (S_) tangents_->follow_switch(valve, state, *S_);
+  switchings_.push_back({state.t, valve, state.valve_open[static_cast<std::size_t>(valve)] != 0});
+  ++statistics_.events;
 }
 
 bool CvodeIntegrator::run_cvode(LumpedState& state, double stop)
@@ -224,8 +229,7 @@ bool CvodeIntegrator::run_cvode(LumpedState& state, double stop)
   for (std::size_t v = 0; v < switched_.size(); ++v)
     if (switched_[v] != 0) {
       network_.switch_valve(static_cast<int>(v), state);
-      if (S_) tangents_->follow_switch(static_cast<int>(v), state, *S_);
-      ++statistics_.events;
+      note_switch(static_cast<int>(v), state);
     }
   return true;
 }

@@ -28,6 +28,13 @@ struct IntegratorStatistics {
   long events = 0;  ///< valves that switched
 };
 
+/// A valve takes another position.
+struct Switching {
+  double t;  ///< s
+  int valve;
+  bool open;
+};
+
 using SensitivityObserver = std::function<void(const LumpedState& state, const Eigen::MatrixXd& S)>;
 
 class CvodeIntegrator {
@@ -66,6 +73,8 @@ class CvodeIntegrator {
   }
 
   const IntegratorStatistics& statistics() const { return statistics_; }
+  /// During the last advance, in order.
+  const std::vector<Switching>& switchings() const { return switchings_; }
 
  private:
   struct Callbacks;
@@ -75,6 +84,7 @@ class CvodeIntegrator {
   void set_port_flows(double t);
   void advance_smooth_piece(LumpedState& state, double stop);
   void settle(LumpedState& state);
+  void note_switch(int valve, const LumpedState& state);
   /// From a fresh start to `stop` or the next switching of a valve. True if valves switched.
   bool run_cvode(LumpedState& state, double stop);
   void observe_due(const LumpedState& state);
@@ -90,6 +100,7 @@ class CvodeIntegrator {
   NodalCircuit<double> circuit_;
   std::unique_ptr<CvodeMemory> memory_;
   IntegratorStatistics statistics_;
+  std::vector<Switching> switchings_;
   std::vector<double> scale_;  ///< per state: absolute over relative tolerance
   std::string message_;        ///< what CVODE last complained of
 
