@@ -15,4 +15,7 @@ common::KeyArray opening_array();
 common::KeyArray refine_array();
 common::KeyArray element_array();  ///< one variant per element type of the lumped layer
 
+common::KeySection fit_section();
+std::vector<common::KeyArray> fit_arrays();  ///< fit_parameter, fit_signal, fit_target
+
 }  // namespace valsalva::coupling

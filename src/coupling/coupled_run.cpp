@@ -78,7 +78,7 @@ std::string describe_coupling(const CaseFile& c, CaseModel& m)
   for (std::size_t port = 0; port < spec.ports.size(); ++port) {
     const double L = m.model().inertance(static_cast<int>(port));
     for (const CaseTable& e : c.tables("element")) {
-      if (e.text("type") != "windkessel3" || e.text("node") != spec.ports[port]) continue;
+      if (!e.text("type").starts_with("windkessel") || e.text("node") != spec.ports[port]) continue;
       const double C = e.real("C_ml_mmHg"), R = e.real("Rc_mmHg_s_ml");
       const double limit = C * (-R + std::sqrt(R * R + 4 * L / C));
       text += fmt::format(

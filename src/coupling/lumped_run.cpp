@@ -20,30 +20,37 @@ namespace {
 
 constexpr double kSampleInterval_s = 1e-3;
 
-/// Which of the network's observables play the part of the aortic valve's flow and of the pressures beside
-/// it: the first valve that leads to the node of the first Windkessel.
+/// The names of the observables that play the part of the aortic valve's flow and of the pressures beside it:
+/// the first valve from a chamber to a node without a chamber, else the first valve; empty without valves.
 struct AorticValve {
-  int flow = -1, p_ventricle = -1, p_aorta = -1;
-  AorticValve(const lumped::NetworkSpec& spec, const lumped::LumpedNetwork& network)
+  std::string flow, p_ventricle, p_aorta;
+  explicit AorticValve(const lumped::NetworkSpec& spec)
   {
-    const auto find = [&](const std::string& name) {
-      const auto& all = network.observables();
-      const auto it = std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
-      return it == all.end() ? -1 : static_cast<int>(it - all.begin());
+    const auto is_chamber = [&](const std::string& node) {
+      return std::any_of(spec.elements.begin(), spec.elements.end(),
+                         [&](const auto& e) { return e.type == "chamber" && e.nodes.at("node") == node; });
     };
-    for (const lumped::ElementSpec& w : spec.elements) {
-      if (w.type != "windkessel3") continue;
-      const std::string& aorta = w.nodes.at("node");
-      for (const lumped::ElementSpec& v : spec.elements) {
-        if (v.type != "valve" || v.nodes.at("to") != aorta) continue;
-        flow = find("Q_" + v.name + "_ml_s");
-        p_ventricle = find("p_" + v.nodes.at("from") + "_mmHg");
-        p_aorta = find("p_" + aorta + "_mmHg");
-        return;
-      }
+    const lumped::ElementSpec* aortic = nullptr;
+    for (const lumped::ElementSpec& v : spec.elements) {
+      if (v.type != "valve" && v.type != "orifice_valve") continue;
+      const bool leaves_heart = is_chamber(v.nodes.at("from")) && !is_chamber(v.nodes.at("to"));
+      if (!aortic || leaves_heart) aortic = &v;
+      if (leaves_heart) break;
     }
+    if (!aortic) return;
+    flow = "Q_" + aortic->name + "_ml_s";
+    p_ventricle = "p_" + aortic->nodes.at("from") + "_mmHg";
+    p_aorta = "p_" + aortic->nodes.at("to") + "_mmHg";
   }
 };
+
+/// The number of an observable, -1 if there is none of this name.
+int observable_number(const lumped::LumpedNetwork& network, const std::string& name)
+{
+  const auto& all = network.observables();
+  const auto it = std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
+  return it == all.end() ? -1 : static_cast<int>(it - all.begin());
+}
 
 }  // namespace
 
@@ -54,7 +61,9 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
         "", "a case without [[opening]] takes seconds and has no checkpoints; run it anew with --force");
   const Communicator comm;
   const Timers timers;
-  const lumped::NetworkSpec spec = network_from_case(c);
+  lumped::NetworkSpec spec = network_from_case(c);
+  const AorticValve aortic(spec);
+  if (!aortic.flow.empty()) spec.integrals = {aortic.flow};
   const lumped::LumpedNetwork network(spec);
   common::create_output_folder(options.out_dir, options.force, c.resolved_toml(), comm);
   common::catch_stop_signals();
@@ -73,7 +82,11 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
     for (const auto& s : network.states()) names.push_back(s.name);
     TimeSeriesWriter traces(options.out_dir + "/openings.csv", names);
     TimeSeriesWriter beats(options.out_dir + "/beats.csv", beat_columns());
-    const AorticValve valve(spec, network);
+    const int flow = observable_number(network, aortic.flow);
+    const int p_ventricle = observable_number(network, aortic.p_ventricle);
+    const int p_aorta = observable_number(network, aortic.p_aorta);
+    TimeSeriesWriter switchings(options.out_dir + "/valves.csv", {"t_s", "open", "valve"});
+    const std::vector<std::string> valve_names = network.valve_names();
     std::vector<BeatSample> samples;
     const auto record = [&] {
       const std::vector<double> seen = network.observe(state, {});
@@ -82,7 +95,7 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
       row.insert(row.end(), state.y.begin(), state.y.end());
       traces.add(row);
       const auto at = [&](int n) { return n < 0 ? 0.0 : seen[static_cast<std::size_t>(n)]; };
-      samples.push_back({state.t, at(valve.flow), at(valve.p_ventricle), at(valve.p_aorta), -1, 0});
+      samples.push_back({state.t, at(flow), at(p_ventricle), at(p_aorta), -1, 0});
     };
     record();
     lumped::CvodeIntegrator integrator(network);
@@ -95,11 +108,13 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
             state,
             n == rows ? stop : begin + (stop - begin) * static_cast<double>(n) / static_cast<double>(rows),
             {}, {});
+        for (const lumped::Switching& s : integrator.switchings())
+          switchings.add({s.t, s.open ? 1.0 : 0.0}, valve_names[static_cast<std::size_t>(s.valve)]);
         record();
         stopped = common::stop_requested();
       }
       const BeatMetrics metrics = measure_beat(beat, samples);
-      if (valve.flow >= 0) {
+      if (flow >= 0) {
         beats.add(beat_row(metrics));
         log.line(beat_text(metrics));
       }
@@ -107,6 +122,7 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
     }
     traces.flush();
     beats.flush();
+    switchings.flush();
   }
   write_run_record(
       options.out_dir,

@@ -6,7 +6,6 @@
 
 #include "common/error.hpp"
 #include "ib3d/structure/fiber_files.hpp"
-#include "lumped/element_types.hpp"
 
 namespace valsalva::coupling {
 
@@ -90,37 +89,6 @@ void check_inside(const CaseFile& c, const ib3d::FiberNetwork& network, const ib
 bool is_lumped(const CaseFile& c)
 {
   return c.tables("opening").empty();
-}
-
-lumped::NetworkSpec network_from_case(const CaseFile& c)
-{
-  lumped::NetworkSpec spec;
-  const CaseTable& time = c.section("time");
-  spec.period_s = time.real("period_s") > 0 ? time.real("period_s") : time.real("end_s");
-  for (const CaseTable& t : c.tables("element")) {
-    lumped::ElementSpec element;
-    element.name = t.text("name");
-    element.type = t.text("type");
-    const lumped::ElementType* type = lumped::find_element_type(element.type);
-    for (const std::string& terminal : type->terminals) element.nodes[terminal] = t.text(terminal);
-    for (const lumped::ElementParameter& p : type->parameters) {
-      if (!t.has(p.name)) continue;
-      switch (p.kind) {
-        case lumped::ParameterKind::number:
-          element.numbers[p.name] = t.real(p.name);
-          break;
-        case lumped::ParameterKind::list:
-          element.lists[p.name] = t.reals(p.name);
-          break;
-        case lumped::ParameterKind::word:
-          element.words[p.name] = t.text(p.name);
-          break;
-      }
-    }
-    spec.elements.push_back(std::move(element));
-  }
-  for (const CaseTable& t : c.tables("opening")) spec.ports.push_back(t.text("port"));
-  return spec;
 }
 
 ib3d::Domain domain_from_case(const CaseFile& c)

@@ -6,15 +6,13 @@
 
 #include "common/case_file.hpp"
 #include "coupling/coupled_model.hpp"
+#include "coupling/network_from_case.hpp"
 #include "ib3d/grid/refinement.hpp"
 #include "ib3d/structure/aortic_root.hpp"
 
 namespace valsalva::coupling {
 
 bool is_lumped(const CaseFile& c);
-
-/// The 0D network; its ports are those of the openings, in their order.
-lumped::NetworkSpec network_from_case(const CaseFile& c);
 
 ib3d::Domain domain_from_case(const CaseFile& c);
 ib3d::RefinementPolicy refinement_from_case(const CaseFile& c);

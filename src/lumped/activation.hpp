@@ -5,29 +5,33 @@
 // Physiol 270 (1996) H2050-H2059, with the constants of Mynard et al. 2012 rescaled to T.
 #pragma once
 
+#include "lumped/dual.hpp"
+
 namespace valsalva::lumped {
 
+template <class Scalar>
 struct DoubleHill {
-  double n1, n2, tau1_s, tau2_s;
+  Scalar n1, n2, tau1_s, tau2_s;
 };
 
+template <class Scalar>
 class Activation {
  public:
-  static Activation double_hill(DoubleHill shape, double period_s);
-  static Activation half_cosine(double systole_s);
+  static Activation double_hill(DoubleHill<Scalar> shape, const Scalar& period_s);
+  static Activation half_cosine(const Scalar& systole_s);
 
   /// e at `t` seconds after the onset, 0 <= t <= T.
-  double value(double t) const;
+  Scalar value(const Scalar& t) const;
   /// Where, within a period, the formula changes; 0 if only at its beginning.
-  double kink() const { return is_half_cosine_ ? systole_s_ : 0.0; }
+  Scalar kink() const { return is_half_cosine_ ? systole_s_ : Scalar(0.0); }
 
  private:
   Activation() = default;
   bool is_half_cosine_ = false;
-  double systole_s_ = 0.0;
-  DoubleHill shape_{};
-  double log_tau1_ = 0.0, log_tau2_ = 0.0;
-  double k_ = 1.0;
+  Scalar systole_s_ = 0.0;
+  DoubleHill<Scalar> shape_{};
+  Scalar log_tau1_ = 0.0, log_tau2_ = 0.0;
+  Scalar k_ = 1.0;
 };
 
 }  // namespace valsalva::lumped

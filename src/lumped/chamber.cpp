@@ -6,65 +6,99 @@
 
 namespace valsalva::lumped {
 
-Chamber::Chamber(std::string name, std::vector<int> nodes, ChamberParameters parameters,
-                 Activation activation)
-    : Element(std::move(name), std::move(nodes)), parameters_(parameters), activation_(activation)
+namespace {
+
+template <class Scalar>
+Scalar period_of(const ElementInput<Scalar>& input)
+{
+  return input.has("period_s") ? input.number("period_s") : Scalar(input.case_period_s());
+}
+
+template <class Scalar>
+Activation<Scalar> activation_of(const ElementInput<Scalar>& input)
+{
+  const Scalar T = period_of(input);
+  if (input.word("activation") == "half_cosine")
+    return Activation<Scalar>::half_cosine(T * input.number("systole_periods"));
+  return Activation<Scalar>::double_hill({input.number("n1"), input.number("n2"),
+                                          T * input.number("tau1_periods"), T * input.number("tau2_periods")},
+                                         T);
+}
+
+}  // namespace
+
+template <class Scalar>
+Chamber<Scalar>::Chamber(const ElementInput<Scalar>& input)
+    : Element<Scalar>(input),
+      Emax_(input.number("Emax_mmHg_ml")),
+      Emin_(input.number("Emin_mmHg_ml")),
+      V0_(input.number("V0_ml")),
+      initial_volume_(input.number("initial_volume_ml")),
+      R_(input.number("R_mmHg_s_ml")),
+      period_s_(period_of(input)),
+      onset_s_(period_s_ * input.number("onset_periods")),
+      activation_(activation_of(input))
 {
 }
 
-std::vector<StateVariable> Chamber::states() const
+template <class Scalar>
+std::vector<StateVariable<Scalar>> Chamber<Scalar>::states() const
 {
-  return {{"V_ml", "ml", parameters_.initial_volume}};
+  return {{"V_ml", "ml", initial_volume_}};
 }
 
-double Chamber::elastic_pressure(Instant now, double V) const
+template <class Scalar>
+Scalar Chamber<Scalar>::onset(double piece) const
 {
-  const double onset = parameters_.period_s * std::floor(now.piece / parameters_.period_s);
-  const double e = activation_.value(now.t - onset);
-  return (parameters_.Emin + (parameters_.Emax - parameters_.Emin) * e) * (V - parameters_.V0);
+  return onset_s_ + period_s_ * std::floor((piece - value_of(onset_s_)) / value_of(period_s_));
 }
 
-void Chamber::connect(Instant now, LocalState state, NodalCircuit& circuit) const
+template <class Scalar>
+Scalar Chamber<Scalar>::elastic_pressure(Instant now, const Scalar& V) const
 {
-  const double p = elastic_pressure(now, state.y[0]);
-  if (parameters_.R > 0.0)
-    circuit.add_pressure(node(0), p, parameters_.R);
+  const Scalar e = activation_.value(now.t - onset(now.piece));
+  return (Emin_ + (Emax_ - Emin_) * e) * (V - V0_);
+}
+
+template <class Scalar>
+void Chamber<Scalar>::connect(Instant now, LocalState<Scalar> state, NodalCircuit<Scalar>& circuit) const
+{
+  const Scalar p = elastic_pressure(now, state.y[0]);
+  if (R_ > 0.0)
+    circuit.add_pressure(node(0), p, R_);
   else
     circuit.hold_pressure(node(0), p);
 }
 
-void Chamber::rates(Instant now, LocalState state, const NodalCircuit& circuit, double* dydt) const
+template <class Scalar>
+void Chamber<Scalar>::rates(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit,
+                            Scalar* dydt) const
 {
   dydt[0] = flow(now, state, circuit);
 }
 
-double Chamber::flow(Instant now, LocalState state, const NodalCircuit& circuit) const
+template <class Scalar>
+Scalar Chamber<Scalar>::flow(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const
 {
-  if (parameters_.R == 0.0) return circuit.flow_into_holder(node(0));
-  return (circuit.pressure(node(0)) - elastic_pressure(now, state.y[0])) / parameters_.R;
+  if (!(R_ > 0.0)) return circuit.flow_into_holder(node(0));
+  return (circuit.pressure(node(0)) - elastic_pressure(now, state.y[0])) / R_;
 }
 
-double Chamber::next_kink(double t) const
+template <class Scalar>
+Scalar Chamber<Scalar>::next_kink(double t) const
 {
   const double later = t + kTimeResolution_s;
-  double onset = parameters_.period_s * std::floor(later / parameters_.period_s);
-  if (onset > later) return onset;
-  if (onset + activation_.kink() > later) return onset + activation_.kink();
-  onset = parameters_.period_s * (std::floor(later / parameters_.period_s) + 1.0);
-  return onset > later ? onset : onset + parameters_.period_s;
+  const Scalar begin = onset(later);
+  for (const Scalar& kink : {begin, begin + activation_.kink(), begin + period_s_})
+    if (kink > later) return kink;
+  return begin + 2.0 * period_s_;
 }
 
 namespace {
 
-double period_of(const ElementSpec& element, double case_period_s)
-{
-  const auto own = element.numbers.find("period_s");
-  return own == element.numbers.end() ? case_period_s : own->second;
-}
-
 void check_chamber(const ElementSpec& element, double period_s, std::vector<CaseProblem>& problems)
 {
-  if (period_of(element, period_s) <= 0.0)
+  if (!element.numbers.count("period_s") && period_s <= 0.0)
     problems.push_back(
         {"", 0, 0, element_key(element, "period_s"),
          "is missing, and the case names no heart period either; give one of the two, e.g. 0.8 s."});
@@ -75,23 +109,6 @@ void check_chamber(const ElementSpec& element, double period_s, std::vector<Case
          fmt::format("is {} mmHg/ml, less than Emin_mmHg_ml = {}; the contracted chamber must be the "
                      "stiffer one. Swap the two?",
                      Emax, Emin)});
-}
-
-std::unique_ptr<Element> build_chamber(const ElementSpec& element, const std::vector<int>& nodes,
-                                       double case_period_s)
-{
-  const auto number = [&](const char* key) { return element.numbers.at(key); };
-  const double T = period_of(element, case_period_s);
-  const Activation activation =
-      element.words.at("activation") == "half_cosine"
-          ? Activation::half_cosine(T * number("systole_periods"))
-          : Activation::double_hill(
-                {number("n1"), number("n2"), T * number("tau1_periods"), T * number("tau2_periods")}, T);
-  return std::make_unique<Chamber>(
-      element.name, nodes,
-      ChamberParameters{number("Emax_mmHg_ml"), number("Emin_mmHg_ml"), number("V0_ml"),
-                        number("initial_volume_ml"), T, number("R_mmHg_s_ml")},
-      activation);
 }
 
 ElementParameter shape_parameter(const std::string& name, const std::string& quantity, double otherwise,
@@ -160,6 +177,12 @@ ElementType chamber_type()
                                      "Double Hill: time of relaxation as a fraction of the period"),
                      shape_parameter("systole_periods", "a fraction of the period", 0.4, 1.0,
                                      "Half cosine: length of the contraction as a fraction of the period"),
+                     {.name = "onset_periods",
+                      .quantity = "a fraction of the period",
+                      .default_number = 0.0,
+                      .lowest = 0.0,
+                      .highest = 1.0,
+                      .meaning = "When contraction sets in, as a fraction of the period (an atrium: 0.85)"},
                      {.name = "R_mmHg_s_ml",
                       .unit = "mmHg s/ml",
                       .quantity = "a resistance",
@@ -167,7 +190,8 @@ ElementType chamber_type()
                       .lowest = 0.0,
                       .meaning = "Source resistance"}},
       .meaning = "Heart chamber: P = E(t)(V - V0) + R Q, dV/dt = Q",
-      .factory = build_chamber,
+      .factory = make_element<Chamber, double>,
+      .dual_factory = make_element<Chamber, Dual>,
       .check = check_chamber};
 }
 

@@ -4,10 +4,11 @@
 //           Q              |                         dV/dt = Q
 //                        ( V )                       E = Emin + (Emax - Emin) e(t),  periodic in T
 //
-//   Emax_mmHg_ml, Emin_mmHg_ml  (mmHg/ml)      V0_ml  volume at zero pressure      initial_volume_ml  V at
-//   the start period_s  T, default the case's            R_mmHg_s_ml  source resistance, default 0 activation
-//   "double_hill" with n1, n2, tau1_periods, tau2_periods, or "half_cosine" with systole_periods; times
-//               as fractions of T; see activation.hpp. Contraction sets in at t = 0, T, 2T, ...
+//   Emax_mmHg_ml, Emin_mmHg_ml  (mmHg/ml)    V0_ml  volume at zero pressure    initial_volume_ml  V at t = 0
+//   period_s  T, default the case's          R_mmHg_s_ml  source resistance, default 0
+//   activation  "double_hill" with n1, n2, tau1_periods, tau2_periods, or "half_cosine" with systole_periods;
+//               times as fractions of T; see activation.hpp
+//   onset_periods  contraction sets in at onset_periods T, and again after each T; default 0
 // State: V (ml). Source: Suga & Sagawa, Circ Res 35 (1974) 117-126.
 #pragma once
 
@@ -16,26 +17,28 @@
 
 namespace valsalva::lumped {
 
-struct ChamberParameters {
-  double Emax, Emin, V0, initial_volume, period_s, R;
-};
-
-class Chamber final : public Element {
+template <class Scalar>
+class Chamber final : public Element<Scalar> {
  public:
-  Chamber(std::string name, std::vector<int> nodes, ChamberParameters parameters, Activation activation);
+  explicit Chamber(const ElementInput<Scalar>& input);
 
-  NodeRole role() const override { return parameters_.R > 0.0 ? NodeRole::determines : NodeRole::fixes; }
-  std::vector<StateVariable> states() const override;
-  void connect(Instant now, LocalState state, NodalCircuit& circuit) const override;
-  void rates(Instant now, LocalState state, const NodalCircuit& circuit, double* dydt) const override;
-  double flow(Instant now, LocalState state, const NodalCircuit& circuit) const override;
-  double next_kink(double t) const override;
+  NodeRole role(int) const override { return R_ > 0.0 ? NodeRole::determines : NodeRole::fixes; }
+  std::vector<StateVariable<Scalar>> states() const override;
+  void connect(Instant now, LocalState<Scalar> state, NodalCircuit<Scalar>& circuit) const override;
+  void rates(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit,
+             Scalar* dydt) const override;
+  Scalar flow(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const override;
+  Scalar next_kink(double t) const override;
+  Scalar volume(LocalState<Scalar> state) const override { return state.y[0]; }
 
  private:
-  double elastic_pressure(Instant now, double V) const;
+  using Element<Scalar>::node;
+  /// The contraction under way at `piece` began here.
+  Scalar onset(double piece) const;
+  Scalar elastic_pressure(Instant now, const Scalar& V) const;
 
-  ChamberParameters parameters_;
-  Activation activation_;
+  Scalar Emax_, Emin_, V0_, initial_volume_, R_, period_s_, onset_s_;
+  Activation<Scalar> activation_;
 };
 
 ElementType chamber_type();

@@ -147,7 +147,8 @@ class ElementCheck {
       report(p.name, fmt::format("is a number; {} is {}.", p.quantity, common::one_of(p.choices)));
     else if (found == element_.words.end())
       p.default_word.empty() && p.required ? report_missing(p) : fill_in_word(p);
-    else if (std::find(p.choices.begin(), p.choices.end(), found->second) == p.choices.end())
+    else if (!p.choices.empty() &&
+             std::find(p.choices.begin(), p.choices.end(), found->second) == p.choices.end())
       report(p.name, fmt::format("is \"{}\"; {} is {}{}.", found->second, p.quantity,
                                  common::one_of(p.choices), common::did_you_mean(found->second, p.choices)));
   }

@@ -13,25 +13,17 @@ namespace valsalva::lumped {
 
 namespace {
 
-// CVODE bounds the error of each step; with a restart in every advance those errors add up with the number of
-// advances. Below this length the tolerances shrink with the interval, so that the sum does not depend on the
-// splitting.
+// CVODE bounds the error of each step; with a restart in every advance and at every kink those errors add up
+// with the number of pieces. Below this length the tolerances shrink with the piece, so that the sum does not
+// depend on the splitting.
 constexpr double kFullToleranceInterval_s = 0.05;
 constexpr double kSmallestRtol = 1e-13;
 
-constexpr long kMostSteps = 200000;  // between two events or kinks; a heart beat takes a few hundred
 constexpr int kMostSwitches = 1000;  // within one smooth piece; a heart beat has four
 
 double absolute_scale(const std::string& unit)
 {
   return unit == "ml/s" ? 10.0 : 1.0;
-}
-
-/// For calls that only fail if this file is wrong or memory is out.
-void require(bool success, const char* call)
-{
-  if (!success)
-    throw SolverError(fmt::format("{} failed while the integrator of the lumped network was set up", call));
 }
 
 }  // namespace
@@ -65,17 +57,35 @@ struct CvodeIntegrator::Callbacks {
     return 0;
   }
 
+  static int tangents(int, double t, N_Vector y, N_Vector, N_Vector* S, N_Vector* dSdt, void* user_data,
+                      N_Vector, N_Vector)
+  {
+    auto& self = *static_cast<CvodeIntegrator*>(user_data);
+    const std::size_t count = static_cast<std::size_t>(self.tangents_->count());
+    for (std::size_t k = 0; k < count; ++k) {
+      self.S_columns_[k] = N_VGetArrayPointer(S[k]);
+      self.dSdt_columns_[k] = N_VGetArrayPointer(dSdt[k]);
+    }
+    try {
+      self.tangents_->rates({t, self.piece_}, N_VGetArrayPointer(y), self.valve_open_, self.S_columns_.data(),
+                            self.dSdt_columns_.data());
+    } catch (const SolverError&) {
+      return 1;
+    }
+    return 0;
+  }
+
   static void keep_message(int, const char*, const char*, char* message, void* user_data)
   {
-    static_cast<CvodeIntegrator*>(user_data)->memory_->message = message;
+    static_cast<CvodeIntegrator*>(user_data)->message_ = message;
   }
 };
 
-CvodeIntegrator::CvodeIntegrator(const LumpedNetwork& network, double rtol)
+CvodeIntegrator::CvodeIntegrator(const LumpedNetwork& network, Tangents* tangents, double rtol)
     : network_(network),
+      tangents_(tangents),
       rtol_(rtol),
       circuit_(network.make_circuit()),
-      memory_(std::make_unique<CvodeMemory>()),
       Q_(static_cast<std::size_t>(network.port_count())),
       valve_open_(static_cast<std::size_t>(network.valve_count())),
       scratch_y_(static_cast<std::size_t>(network.state_count())),
@@ -83,37 +93,16 @@ CvodeIntegrator::CvodeIntegrator(const LumpedNetwork& network, double rtol)
       start_rates_(scratch_y_),
       switched_(valve_open_)
 {
-  if (network.state_count() == 0) return;
-  CvodeMemory& m = *memory_;
-  SUNContext context = nullptr;
-  require(SUNContext_Create(nullptr, &context) == 0, "SUNContext_Create");
-  m.context.reset(context);
-  m.y.reset(N_VNew_Serial(network.state_count(), context));
-  m.absolute_tolerance.reset(N_VNew_Serial(network.state_count(), context));
-  m.cvode.reset(CVodeCreate(CV_ADAMS, context));
-  require(m.y && m.absolute_tolerance && m.cvode, "CVodeCreate");
-  const std::vector<StateVariable>& states = network.states();
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    N_VGetArrayPointer(m.y.get())[i] = states[i].initial;
-    scale_.push_back(absolute_scale(states[i].unit));
-    N_VGetArrayPointer(m.absolute_tolerance.get())[i] = rtol * scale_[i];
-  }
-  void* cvode = m.cvode.get();
-  require(CVodeInit(cvode, Callbacks::rates, 0.0, m.y.get()) == CV_SUCCESS, "CVodeInit");
-  require(CVodeSVtolerances(cvode, rtol, m.absolute_tolerance.get()) == CV_SUCCESS, "CVodeSVtolerances");
-  m.fixed_point.reset(SUNNonlinSol_FixedPoint(m.y.get(), 0, context));
-  require(m.fixed_point && CVodeSetNonlinearSolver(cvode, m.fixed_point.get()) == CV_SUCCESS,
-          "CVodeSetNonlinearSolver");
-  require(CVodeSetUserData(cvode, this) == CV_SUCCESS, "CVodeSetUserData");
-  require(CVodeSetErrHandlerFn(cvode, Callbacks::keep_message, this) == CV_SUCCESS, "CVodeSetErrHandlerFn");
-  require(CVodeSetMaxNumSteps(cvode, kMostSteps) == CV_SUCCESS, "CVodeSetMaxNumSteps");
-  if (network.valve_count() > 0) {
-    require(CVodeRootInit(cvode, network.valve_count(), Callbacks::switch_margins) == CV_SUCCESS,
-            "CVodeRootInit");
-    std::vector<int> downward(valve_open_.size(), -1);
-    require(CVodeSetRootDirection(cvode, downward.data()) == CV_SUCCESS, "CVodeSetRootDirection");
-    require(CVodeSetNoInactiveRootWarn(cvode) == CV_SUCCESS, "CVodeSetNoInactiveRootWarn");
-  }
+  for (const auto& state : network.states()) scale_.push_back(absolute_scale(state.unit));
+  std::vector<double> direction_scale;
+  if (tangents) direction_scale = tangents->scales();
+  S_columns_.resize(direction_scale.size());
+  dSdt_columns_.resize(direction_scale.size());
+  if (network.state_count() > 0)
+    memory_ =
+        std::make_unique<CvodeMemory>(scale_, direction_scale, network.valve_count(),
+                                      CvodeFunctions{Callbacks::rates, Callbacks::switch_margins,
+                                                     Callbacks::tangents, Callbacks::keep_message, this});
 }
 
 CvodeIntegrator::~CvodeIntegrator() = default;
@@ -121,9 +110,6 @@ CvodeIntegrator::~CvodeIntegrator() = default;
 void CvodeIntegrator::advance(LumpedState& state, double t_end, std::span<const double> Q_begin,
                               std::span<const double> Q_end)
 {
-  if (!(t_end >= state.t))
-    throw SolverError(
-        fmt::format("the lumped network stands at t = {} s and cannot go back to {} s", state.t, t_end));
   if (Q_begin.size() != Q_.size() || Q_end.size() != Q_.size())
     throw SolverError(fmt::format("the lumped network has {} ports, but {} and {} port flows were given",
                                   Q_.size(), Q_begin.size(), Q_end.size()));
@@ -131,21 +117,47 @@ void CvodeIntegrator::advance(LumpedState& state, double t_end, std::span<const 
   t_end_ = t_end;
   Q_begin_ = Q_begin;
   Q_end_ = Q_end;
-  set_tolerances(t_end - state.t);
-  LumpedState next = state;
-  while (next.t < t_end) {
-    const double kink = network_.next_kink(next.t);
-    advance_smooth_piece(next, kink < t_end - kTimeResolution_s ? kink : t_end);
-  }
-  state = std::move(next);
+  times_ = {};
+  advance_with(nullptr, state, t_end);
 }
 
-void CvodeIntegrator::set_tolerances(double interval)
+void CvodeIntegrator::advance(LumpedState& state, Eigen::MatrixXd& S, double t_end)
 {
-  step_rtol_ =
-      std::max(rtol_ * std::min(1.0, interval / kFullToleranceInterval_s), std::min(rtol_, kSmallestRtol));
-  for (std::size_t i = 0; i < scale_.size(); ++i)
-    N_VGetArrayPointer(memory_->absolute_tolerance.get())[i] = step_rtol_ * scale_[i];
+  advance(state, S, t_end, {}, [](const LumpedState&, const Eigen::MatrixXd&) {});
+}
+
+void CvodeIntegrator::advance(LumpedState& state, Eigen::MatrixXd& S, double t_end,
+                              std::span<const double> times, const SensitivityObserver& observe)
+{
+  const std::vector<double> no_flow(Q_.size(), 0.0);
+  t_begin_ = state.t;
+  t_end_ = t_end;
+  Q_begin_ = Q_end_ = no_flow;
+  times_ = times;
+  observe_ = &observe;
+  Eigen::MatrixXd next = S;
+  advance_with(&next, state, t_end);
+  S = std::move(next);
+}
+
+void CvodeIntegrator::advance_with(Eigen::MatrixXd* S, LumpedState& state, double t_end)
+{
+  if (!(t_end >= state.t))
+    throw SolverError(
+        fmt::format("the lumped network stands at t = {} s and cannot go back to {} s", state.t, t_end));
+  S_ = S;
+  switchings_.clear();
+  LumpedState next = state;
+  observe_due(next);
+  while (next.t < t_end) {
+    const double before = next.t, kink = network_.next_kink(before);
+    const bool crosses = kink < t_end - kTimeResolution_s;
+    advance_smooth_piece(next, crosses ? kink : t_end);
+    if (S && crosses)
+      tangents_->follow_kink(before, 0.5 * (kink + std::min(t_end, network_.next_kink(kink))), next, *S);
+    observe_due(next);
+  }
+  state = std::move(next);
 }
 
 void CvodeIntegrator::set_port_flows(double t)
@@ -164,54 +176,68 @@ void CvodeIntegrator::rates(double t, const double* y, double* dydt)
 void CvodeIntegrator::advance_smooth_piece(LumpedState& state, double stop)
 {
   piece_ = 0.5 * (state.t + stop);
-  const auto settle = [&] {
-    set_port_flows(state.t);
-    statistics_.events += network_.settle_valves({state.t, piece_}, state, Q_, circuit_);
-  };
-  settle();
+  step_rtol_ = std::max(rtol_ * std::min(1.0, (stop - state.t) / kFullToleranceInterval_s),
+                        std::min(rtol_, kSmallestRtol));
+  settle(state);
   for (int switches = 0; stop - state.t > kTimeResolution_s && network_.state_count() > 0; ++switches) {
     if (switches > kMostSwitches)
       throw SolverError(
           fmt::format("the valves of the lumped network switched more than {} times up to t = {} s; a "
                       "valve flutters. Give it an inertance or a larger resistance.",
                       kMostSwitches, state.t));
-    if (run_cvode(state, stop)) settle();
+    if (run_cvode(state, stop)) settle(state);
   }
   if (state.t < stop) {
     step_over(state, stop);
-    settle();
+    settle(state);
   }
+}
+
+void CvodeIntegrator::settle(LumpedState& state)
+{
+  set_port_flows(state.t);
+  for (int valve : network_.settle_valves({state.t, piece_}, state, Q_, circuit_)) note_switch(valve, state);
+}
+
+void CvodeIntegrator::note_switch(int valve, const LumpedState& state)
+{
+  if (S_) tangents_->follow_switch(valve, state, *S_);
+  switchings_.push_back({state.t, valve, state.valve_open[static_cast<std::size_t>(valve)] != 0});
+  ++statistics_.events;
 }
 
 bool CvodeIntegrator::run_cvode(LumpedState& state, double stop)
 {
-  CvodeMemory& m = *memory_;
-  void* cvode = m.cvode.get();
   valve_open_ = state.valve_open;
-  double* y = N_VGetArrayPointer(m.y.get());
-  std::copy(state.y.begin(), state.y.end(), y);
-
-  int flag = CVodeReInit(cvode, state.t, m.y.get());
-  if (flag == CV_SUCCESS) flag = CVodeSVtolerances(cvode, step_rtol_, m.absolute_tolerance.get());
-  if (flag == CV_SUCCESS) flag = CVodeSetInitStep(cvode, first_step(state, stop));
-  if (flag == CV_SUCCESS) flag = CVodeSetStopTime(cvode, stop);
   double t = state.t;
-  if (flag == CV_SUCCESS) flag = CVode(cvode, stop, m.y.get(), &t, CV_NORMAL);
+  int flag = memory_->restart(t, state.y, S_, step_rtol_, first_step(state, stop), stop);
+  while (flag >= 0 && flag != CV_ROOT_RETURN && t < stop) {
+    const bool samples = !times_.empty() && times_.front() < stop;
+    flag = memory_->advance(samples ? times_.front() : stop, t, state.y, S_);
+    if (!samples || flag < 0 || flag == CV_ROOT_RETURN) break;
+    state.t = t;
+    observe_due(state);
+  }
   if (flag < 0) fail(flag, t, stop);
   long steps = 0;
-  CVodeGetNumSteps(cvode, &steps);
+  CVodeGetNumSteps(memory_->cvode(), &steps);
   statistics_.steps += steps;
 
-  std::copy(y, y + state.y.size(), state.y.begin());
   state.t = flag == CV_ROOT_RETURN ? t : stop;
   if (flag != CV_ROOT_RETURN) return false;
-  CVodeGetRootInfo(cvode, switched_.data());
+  CVodeGetRootInfo(memory_->cvode(), switched_.data());
   for (std::size_t v = 0; v < switched_.size(); ++v)
     if (switched_[v] != 0) {
       network_.switch_valve(static_cast<int>(v), state);
-      ++statistics_.events;
+      note_switch(static_cast<int>(v), state);
     }
   return true;
+}
+
+void CvodeIntegrator::observe_due(const LumpedState& state)
+{
+  for (; !times_.empty() && times_.front() <= state.t + kTimeResolution_s; times_ = times_.subspan(1))
+    (*observe_)(state, *S_);
 }
 
 double CvodeIntegrator::first_step(const LumpedState& state, double stop)
@@ -251,7 +277,7 @@ void CvodeIntegrator::fail(int flag, double t, double stop) const
   throw SolverError(fmt::format(
       "the lumped network could not be integrated from t = {:.9g} s to {:.9g} s: {} ({}). Look for a very "
       "small inertance, resistance or compliance, or a port flow that is not finite.",
-      t, stop, flag_name, memory_->message));
+      t, stop, flag_name, message_));
 }
 
 }  // namespace valsalva::lumped

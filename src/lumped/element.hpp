@@ -1,17 +1,17 @@
 // One element of a lumped network: what it does at its nodes, and how its states change. mmHg, ml, s.
 //   connect  tells the nodal circuit what the element is at this instant: a pressure behind a resistance, a
-//   flow,
-//            a resistor between two nodes
+//            flow, a resistor between two nodes
 //   rates    dy/dt of its own states, once the circuit is solved
-// An element is immutable; its states live in LumpedState and are handed in as `LocalState`. Flow through an
-// element with one terminal is counted from the node into the element, with two terminals from -> to.
+// Scalar is `double`, or `Dual` for values with their derivatives (dual.hpp). An element is immutable; its
+// states live in NetworkState and are handed in as `LocalState`. Flow through an element with one terminal is
+// counted from the node into the element, with two terminals from -> to.
 #pragma once
 
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "lumped/element_input.hpp"
 #include "lumped/nodal_circuit.hpp"
 
 namespace valsalva::lumped {
@@ -27,14 +27,16 @@ struct Instant {
 };
 
 /// A state's name within its element, unit ("mmHg", "ml", "ml/s") and value at the start.
+template <class Scalar>
 struct StateVariable {
   std::string name;
   std::string unit;
-  double initial;
+  Scalar initial;
 };
 
+template <class Scalar>
 struct LocalState {
-  const double* y;  ///< the element's own states
+  const Scalar* y;  ///< the element's own states
   bool open;        ///< of a valve
 };
 
@@ -45,9 +47,10 @@ enum class NodeRole {
   fixes        ///< at least at times the node's pressure itself
 };
 
+template <class Scalar>
 class Element {
  public:
-  Element(std::string name, std::vector<int> nodes) : name_(std::move(name)), nodes_(std::move(nodes)) {}
+  explicit Element(const ElementInput<Scalar>& input) : name_(input.name()), nodes_(input.nodes()) {}
   virtual ~Element() = default;
   Element(const Element&) = delete;
   Element& operator=(const Element&) = delete;
@@ -56,20 +59,33 @@ class Element {
   int node(int terminal) const { return nodes_[static_cast<std::size_t>(terminal)]; }
   const std::vector<int>& nodes() const { return nodes_; }
 
-  virtual NodeRole role() const { return NodeRole::none; }
-  virtual std::vector<StateVariable> states() const { return {}; }
-  virtual void connect(Instant now, LocalState state, NodalCircuit& circuit) const = 0;
-  virtual void rates(Instant, LocalState, const NodalCircuit&, double* /*dydt*/) const {}
+  virtual NodeRole role(int /*terminal*/) const { return NodeRole::none; }
+  virtual std::vector<StateVariable<Scalar>> states() const { return {}; }
+  virtual void connect(Instant now, LocalState<Scalar> state, NodalCircuit<Scalar>& circuit) const = 0;
+  virtual void rates(Instant, LocalState<Scalar>, const NodalCircuit<Scalar>&, Scalar* /*dydt*/) const {}
   /// ml/s.
-  virtual double flow(Instant now, LocalState state, const NodalCircuit& circuit) const = 0;
+  virtual Scalar flow(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const = 0;
   /// The smallest time more than kTimeResolution_s after `t` at which a formula changes; infinity if none.
-  virtual double next_kink(double /*t*/) const { return std::numeric_limits<double>::infinity(); }
+  virtual Scalar next_kink(double /*t*/) const { return std::numeric_limits<double>::infinity(); }
+
+  /// Blood held by the element, ml.
+  virtual Scalar volume(LocalState<Scalar>) const { return 0.0; }
+  /// Does all blood that enters it stay in the network? Not in a source, nor through a peripheral resistance
+  /// to a fixed pressure.
+  virtual bool keeps_volume() const { return true; }
 
   /// Only of valves: positive while the valve stays as it is; it switches where this crosses zero.
   virtual bool switches() const { return false; }
-  virtual double switch_margin(LocalState, const NodalCircuit&) const { return 1.0; }
+  virtual Scalar switch_margin(LocalState<Scalar>, const NodalCircuit<Scalar>&) const { return 1.0; }
   /// Adapts the states to the new position.
-  virtual void on_switch(bool /*open*/, double* /*y*/) const {}
+  virtual void on_switch(bool /*open*/, Scalar* /*y*/) const {}
+
+ protected:
+  /// P_from - P_to, mmHg.
+  Scalar pressure_drop(const NodalCircuit<Scalar>& circuit) const
+  {
+    return circuit.pressure(node(0)) - circuit.pressure(node(1));
+  }
 
  private:
   std::string name_;

@@ -2,16 +2,19 @@
 
 #include "lumped/chamber.hpp"
 #include "lumped/flow_source.hpp"
+#include "lumped/orifice_valve.hpp"
 #include "lumped/pressure_source.hpp"
 #include "lumped/valve.hpp"
-#include "lumped/windkessel3.hpp"
+#include "lumped/vessel.hpp"
+#include "lumped/windkessel.hpp"
 
 namespace valsalva::lumped {
 
 const std::vector<ElementType>& element_types()
 {
-  static const std::vector<ElementType> types = {windkessel3_type(), pressure_source_type(),
-                                                 flow_source_type(), valve_type(), chamber_type()};
+  static const std::vector<ElementType> types = {
+      windkessel3_type(), windkessel4_type(),   vessel_type(),          chamber_type(),
+      valve_type(),       orifice_valve_type(), pressure_source_type(), flow_source_type()};
   return types;
 }
 

@@ -34,14 +34,23 @@ struct ElementParameter {
   std::string meaning = {};               ///< one line
 };
 
+/// Builds the element of a checked and completed spec.
+template <class Scalar>
+using ElementFactory = std::unique_ptr<Element<Scalar>> (*)(const ElementInput<Scalar>&);
+
+template <template <class> class Type, class Scalar>
+std::unique_ptr<Element<Scalar>> make_element(const ElementInput<Scalar>& input)
+{
+  return std::make_unique<Type<Scalar>>(input);
+}
+
 struct ElementType {
   std::string name = {};
   std::vector<std::string> terminals = {};  ///< "node", or "from" and "to"
   std::vector<ElementParameter> parameters = {};
   std::string meaning = {};
-  /// The element of a checked and completed spec; `nodes` are its node numbers in the order of `terminals`.
-  std::unique_ptr<Element> (*factory)(const ElementSpec&, const std::vector<int>& nodes,
-                                      double period_s) = nullptr;
+  ElementFactory<double> factory = nullptr;
+  ElementFactory<Dual> dual_factory = nullptr;
   /// Adds what the ranges cannot express (two keys that must fit together); may be null.
   void (*check)(const ElementSpec&, double period_s, std::vector<CaseProblem>&) = nullptr;
 };
@@ -50,6 +59,17 @@ const std::vector<ElementType>& element_types();
 
 /// The type of this name, or nullptr.
 const ElementType* find_element_type(const std::string& name);
+
+/// The element of a type that exists.
+template <class Scalar>
+std::unique_ptr<Element<Scalar>> build_element(const ElementInput<Scalar>& input, const std::string& type)
+{
+  const ElementType* found = find_element_type(type);
+  if constexpr (std::is_same_v<Scalar, double>)
+    return found->factory(input);
+  else
+    return found->dual_factory(input);
+}
 
 /// `element "arteries"`, or `element "arteries": Rp_mmHg_s_ml`: how problems name the place.
 std::string element_key(const ElementSpec& element, const std::string& parameter = "");

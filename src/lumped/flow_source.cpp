@@ -6,34 +6,35 @@ namespace {
 constexpr const char* kValueKey = "flow_ml_s";
 }
 
-FlowSource::FlowSource(std::string name, std::vector<int> nodes, Waveform flow)
-    : Element(std::move(name), std::move(nodes)), flow_(std::move(flow))
+template <class Scalar>
+FlowSource<Scalar>::FlowSource(const ElementInput<Scalar>& input)
+    : Element<Scalar>(input), flow_(input, kValueKey)
 {
 }
 
-void FlowSource::connect(Instant now, LocalState, NodalCircuit& circuit) const
+template <class Scalar>
+void FlowSource<Scalar>::connect(Instant now, LocalState<Scalar>, NodalCircuit<Scalar>& circuit) const
 {
   circuit.add_inflow(node(0), flow_.value(now));
 }
 
-double FlowSource::flow(Instant now, LocalState, const NodalCircuit&) const
+template <class Scalar>
+Scalar FlowSource<Scalar>::flow(Instant now, LocalState<Scalar>, const NodalCircuit<Scalar>&) const
 {
   return flow_.value(now);
 }
 
 ElementType flow_source_type()
 {
-  return {
-      .name = "flow_source",
-      .terminals = {"node"},
-      .parameters = waveform_parameters(kValueKey, "ml/s", "a flow", "Flow into the node"),
-      .meaning = "Prescribed flow into a node, constant or piecewise linear in time",
-      .factory = [](const ElementSpec& e, const std::vector<int>& nodes,
-                    double period_s) -> std::unique_ptr<Element> {
-        return std::make_unique<FlowSource>(e.name, nodes, read_waveform(e, kValueKey, period_s));
-      },
-      .check = [](const ElementSpec& e, double period_s,
-                  std::vector<CaseProblem>& problems) { check_waveform(e, kValueKey, period_s, problems); }};
+  return {.name = "flow_source",
+          .terminals = {"node"},
+          .parameters = waveform_parameters(kValueKey, "ml/s", "a flow", "Flow into the node"),
+          .meaning = "Prescribed flow into a node, constant, Fourier series or table in time",
+          .factory = make_element<FlowSource, double>,
+          .dual_factory = make_element<FlowSource, Dual>,
+          .check = [](const ElementSpec& e, double period_s, std::vector<CaseProblem>& problems) {
+            check_waveform(e, kValueKey, period_s, problems);
+          }};
 }
 
 }  // namespace valsalva::lumped

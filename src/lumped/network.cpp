@@ -21,58 +21,86 @@ Instant just_after(double t)
 
 }  // namespace
 
-LumpedNetwork::LumpedNetwork(const NetworkSpec& spec)
+template <class Scalar>
+Network<Scalar>::Network(const NetworkSpec& spec, std::span<const std::string> seeded)
 {
   const NetworkSpec complete = complete_spec(spec);
   const NetworkTopology topology = number_nodes(complete);
-  std::vector<std::unique_ptr<Element>> elements;
+  std::vector<std::unique_ptr<Element<Scalar>>> elements;
+  std::vector<Joined> joined;
   for (std::size_t e = 0; e < complete.elements.size(); ++e) {
-    const ElementSpec& element = complete.elements[e];
     elements.push_back(
-        find_element_type(element.type)->factory(element, topology.element_nodes[e], complete.period_s));
+        build_element<Scalar>({complete.elements[e], topology.element_nodes[e], complete.period_s, seeded},
+                              complete.elements[e].type));
+    joined.push_back({elements.back()->name(), elements.back()->nodes(), {}});
+    for (std::size_t terminal = 0; terminal < joined.back().nodes.size(); ++terminal)
+      joined.back().roles.push_back(elements.back()->role(static_cast<int>(terminal)));
   }
-  check_solvable(topology, elements);
+  check_solvable(topology, joined);
 
   node_names_ = topology.node_names;
   port_nodes_ = topology.port_nodes;
   for (const std::string& node : node_names_) observables_.push_back({"p_" + node + "_mmHg", "mmHg"});
-  for (auto& element : elements) {
-    observables_.push_back({"Q_" + element->name() + "_ml_s", "ml/s"});
-    const int first_state = state_count();
-    for (const StateVariable& s : element->states())
-      states_.push_back({element->name() + "." + s.name, s.unit, s.initial});
-    const int valve = element->switches() ? valve_count() : -1;
-    if (valve >= 0) valves_.push_back(static_cast<int>(elements_.size()));
-    elements_.push_back({std::move(element), first_state, valve});
+  for (auto& element : elements) place(std::move(element));
+  add_integrals(complete.integrals);
+}
+
+template <class Scalar>
+void Network<Scalar>::place(std::unique_ptr<Element<Scalar>> element)
+{
+  observables_.push_back({"Q_" + element->name() + "_ml_s", "ml/s"});
+  const int first_state = state_count();
+  for (const StateVariable<Scalar>& s : element->states())
+    states_.push_back({element->name() + "." + s.name, s.unit, s.initial});
+  const int valve = element->switches() ? valve_count() : -1;
+  if (valve >= 0) valves_.push_back(static_cast<int>(elements_.size()));
+  elements_.push_back({std::move(element), first_state, valve});
+}
+
+template <class Scalar>
+void Network<Scalar>::add_integrals(const std::vector<std::string>& names)
+{
+  for (const std::string& name : names) {
+    const auto found = std::find_if(observables_.begin(), observables_.end(),
+                                    [&](const Quantity& q) { return q.name == name; });
+    if (found == observables_.end())
+      throw CaseError("integral",
+                      fmt::format("of \"{}\", which is no pressure or flow of the network", name));
+    integrals_.push_back(static_cast<int>(found - observables_.begin()));
+    states_.push_back({"integral." + name, found->unit == "ml/s" ? "ml" : found->unit + " s", 0.0});
   }
 }
 
-std::vector<std::string> LumpedNetwork::valve_names() const
+template <class Scalar>
+std::vector<std::string> Network<Scalar>::valve_names() const
 {
   std::vector<std::string> names;
   for (int e : valves_) names.push_back(elements_[static_cast<std::size_t>(e)].element->name());
   return names;
 }
 
-LumpedState LumpedNetwork::initial_state() const
+template <class Scalar>
+NetworkState<Scalar> Network<Scalar>::initial_state() const
 {
-  LumpedState state;
-  for (const StateVariable& s : states_) state.y.push_back(s.initial);
+  NetworkState<Scalar> state;
+  for (const StateVariable<Scalar>& s : states_) state.y.push_back(s.initial);
   state.valve_open.assign(valves_.size(), 0);
-  NodalCircuit circuit = make_circuit();
+  NodalCircuit<Scalar> circuit = make_circuit();
   settle_valves(just_after(0.0), state, std::vector<double>(port_nodes_.size(), 0.0), circuit);
   return state;
 }
 
-LocalState LumpedNetwork::local_state(const Placed& placed, const double* y,
-                                      std::span<const int> valve_open) const
+template <class Scalar>
+LocalState<Scalar> Network<Scalar>::local_state(const Placed& placed, const Scalar* y,
+                                                std::span<const int> valve_open) const
 {
   return {y + placed.first_state,
           placed.valve >= 0 && valve_open[static_cast<std::size_t>(placed.valve)] != 0};
 }
 
-void LumpedNetwork::solve_circuit(Instant now, const double* y, std::span<const int> valve_open,
-                                  std::span<const double> Q, NodalCircuit& circuit) const
+template <class Scalar>
+void Network<Scalar>::solve_circuit(Instant now, const Scalar* y, std::span<const int> valve_open,
+                                    std::span<const double> Q, NodalCircuit<Scalar>& circuit) const
 {
   circuit.clear();
   for (std::size_t i = 0; i < port_nodes_.size(); ++i) circuit.add_inflow(port_nodes_[i], Q[i]);
@@ -80,16 +108,21 @@ void LumpedNetwork::solve_circuit(Instant now, const double* y, std::span<const 
   circuit.solve();
 }
 
-void LumpedNetwork::rates(Instant now, const double* y, std::span<const int> valve_open,
-                          std::span<const double> Q, NodalCircuit& circuit, double* dydt) const
+template <class Scalar>
+void Network<Scalar>::rates(Instant now, const Scalar* y, std::span<const int> valve_open,
+                            std::span<const double> Q, NodalCircuit<Scalar>& circuit, Scalar* dydt) const
 {
   solve_circuit(now, y, valve_open, Q, circuit);
   for (const Placed& e : elements_)
     e.element->rates(now, local_state(e, y, valve_open), circuit, dydt + e.first_state);
+  Scalar* of_integrals = dydt + state_count() - integral_count();
+  for (int number : integrals_) *of_integrals++ = observable(number, now, y, valve_open, circuit);
 }
 
-void LumpedNetwork::switch_margins(Instant now, const double* y, std::span<const int> valve_open,
-                                   std::span<const double> Q, NodalCircuit& circuit, double* margins) const
+template <class Scalar>
+void Network<Scalar>::switch_margins(Instant now, const Scalar* y, std::span<const int> valve_open,
+                                     std::span<const double> Q, NodalCircuit<Scalar>& circuit,
+                                     Scalar* margins) const
 {
   solve_circuit(now, y, valve_open, Q, circuit);
   for (std::size_t v = 0; v < valves_.size(); ++v) {
@@ -98,7 +131,8 @@ void LumpedNetwork::switch_margins(Instant now, const double* y, std::span<const
   }
 }
 
-void LumpedNetwork::switch_valve(int valve, LumpedState& state) const
+template <class Scalar>
+void Network<Scalar>::switch_valve(int valve, NetworkState<Scalar>& state) const
 {
   const Placed& e = elements_[static_cast<std::size_t>(valves_[static_cast<std::size_t>(valve)])];
   int& open = state.valve_open[static_cast<std::size_t>(valve)];
@@ -106,54 +140,91 @@ void LumpedNetwork::switch_valve(int valve, LumpedState& state) const
   e.element->on_switch(open != 0, state.y.data() + e.first_state);
 }
 
-int LumpedNetwork::settle_valves(Instant now, LumpedState& state, std::span<const double> Q,
-                                 NodalCircuit& circuit) const
+template <class Scalar>
+std::vector<int> Network<Scalar>::settle_valves(Instant now, NetworkState<Scalar>& state,
+                                                std::span<const double> Q,
+                                                NodalCircuit<Scalar>& circuit) const
 {
-  if (valves_.empty()) return 0;
+  std::vector<int> switched;
+  if (valves_.empty()) return switched;
   // Always the first inconsistent valve: with this rule of Murty's the search ends, as the circuit is
   // passive.
-  const int limit = 100 * (valve_count() + 1);
-  std::vector<double> margins(valves_.size());
-  for (int switched = 0; switched < limit; ++switched) {
+  const std::size_t limit = 100 * (valves_.size() + 1);
+  std::vector<Scalar> margins(valves_.size());
+  while (switched.size() < limit) {
     switch_margins(now, state.y.data(), state.valve_open, Q, circuit, margins.data());
-    const auto first = std::find_if(margins.begin(), margins.end(), [](double m) { return m <= 0.0; });
+    const auto first = std::find_if(margins.begin(), margins.end(), [](const Scalar& m) { return m <= 0.0; });
     if (first == margins.end()) return switched;
-    switch_valve(static_cast<int>(first - margins.begin()), state);
+    switched.push_back(static_cast<int>(first - margins.begin()));
+    switch_valve(switched.back(), state);
   }
   throw SolverError(fmt::format("the valves of the lumped network find no position at t = {} s", now.t));
 }
 
-NodalCircuit LumpedNetwork::circuit_at(const LumpedState& state, std::span<const double> Q) const
+template <class Scalar>
+NodalCircuit<Scalar> Network<Scalar>::circuit_at(const NetworkState<Scalar>& state,
+                                                 std::span<const double> Q) const
 {
-  NodalCircuit circuit = make_circuit();
+  NodalCircuit<Scalar> circuit = make_circuit();
   solve_circuit(just_after(state.t), state.y.data(), state.valve_open, Q, circuit);
   return circuit;
 }
 
-std::vector<double> LumpedNetwork::port_pressures(const LumpedState& state, std::span<const double> Q) const
+template <class Scalar>
+std::vector<Scalar> Network<Scalar>::port_pressures(const NetworkState<Scalar>& state,
+                                                    std::span<const double> Q) const
 {
-  const NodalCircuit circuit = circuit_at(state, Q);
-  std::vector<double> p;
+  const NodalCircuit<Scalar> circuit = circuit_at(state, Q);
+  std::vector<Scalar> p;
   for (int node : port_nodes_) p.push_back(circuit.pressure(node));
   return p;
 }
 
-std::vector<double> LumpedNetwork::observe(const LumpedState& state, std::span<const double> Q) const
+template <class Scalar>
+std::vector<Scalar> Network<Scalar>::observe(const NetworkState<Scalar>& state,
+                                             std::span<const double> Q) const
 {
-  const NodalCircuit circuit = circuit_at(state, Q);
-  std::vector<double> values;
-  for (int node = 0; node < node_count(); ++node) values.push_back(circuit.pressure(node));
-  for (const Placed& e : elements_)
-    values.push_back(
-        e.element->flow(just_after(state.t), local_state(e, state.y.data(), state.valve_open), circuit));
+  const NodalCircuit<Scalar> circuit = circuit_at(state, Q);
+  std::vector<Scalar> values;
+  for (int number = 0; number < static_cast<int>(observables_.size()); ++number)
+    values.push_back(observable(number, just_after(state.t), state.y.data(), state.valve_open, circuit));
   return values;
 }
 
-double LumpedNetwork::next_kink(double t) const
+template <class Scalar>
+Scalar Network<Scalar>::observable(int number, Instant now, const Scalar* y, std::span<const int> valve_open,
+                                   const NodalCircuit<Scalar>& circuit) const
 {
-  double kink = std::numeric_limits<double>::infinity();
+  if (number < node_count()) return circuit.pressure(number);
+  const Placed& e = elements_[static_cast<std::size_t>(number - node_count())];
+  return e.element->flow(now, local_state(e, y, valve_open), circuit);
+}
+
+template <class Scalar>
+Scalar Network<Scalar>::volume(const NetworkState<Scalar>& state) const
+{
+  Scalar sum = 0.0;
+  for (const Placed& e : elements_)
+    sum += e.element->volume(local_state(e, state.y.data(), state.valve_open));
+  return sum;
+}
+
+template <class Scalar>
+bool Network<Scalar>::keeps_volume() const
+{
+  return std::all_of(elements_.begin(), elements_.end(),
+                     [](const Placed& e) { return e.element->keeps_volume(); });
+}
+
+template <class Scalar>
+Scalar Network<Scalar>::next_kink(double t) const
+{
+  Scalar kink = std::numeric_limits<double>::infinity();
   for (const Placed& e : elements_) kink = std::min(kink, e.element->next_kink(t));
   return kink;
 }
+
+template class Network<double>;
+template class Network<Dual>;
 
 }  // namespace valsalva::lumped

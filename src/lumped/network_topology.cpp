@@ -30,16 +30,15 @@ struct Junction {
   bool is_port = false;
 };
 
-std::vector<Junction> junctions(const NetworkTopology& topology,
-                                const std::vector<std::unique_ptr<Element>>& elements)
+std::vector<Junction> junctions(const NetworkTopology& topology, const std::vector<Joined>& elements)
 {
   std::vector<Junction> all(topology.node_names.size());
-  for (const auto& element : elements)
-    for (int node : element->nodes()) {
-      Junction& j = all[static_cast<std::size_t>(node)];
-      j.elements.push_back(element->name());
-      if (element->role() == NodeRole::fixes) j.fixing.push_back(element->name());
-      j.determined = j.determined || element->role() != NodeRole::none;
+  for (const Joined& joined : elements)
+    for (std::size_t terminal = 0; terminal < joined.nodes.size(); ++terminal) {
+      Junction& j = all[static_cast<std::size_t>(joined.nodes[terminal])];
+      j.elements.push_back(joined.element);
+      if (joined.roles[terminal] == NodeRole::fixes) j.fixing.push_back(joined.element);
+      j.determined = j.determined || joined.roles[terminal] != NodeRole::none;
     }
   for (int node : topology.port_nodes) all[static_cast<std::size_t>(node)].is_port = true;
   return all;
@@ -75,7 +74,7 @@ NetworkTopology number_nodes(const NetworkSpec& spec)
   return topology;
 }
 
-void check_solvable(const NetworkTopology& topology, const std::vector<std::unique_ptr<Element>>& elements)
+void check_solvable(const NetworkTopology& topology, const std::vector<Joined>& elements)
 {
   const std::vector<Junction> all = junctions(topology, elements);
   std::vector<CaseProblem> problems;
@@ -95,7 +94,8 @@ void check_solvable(const NetworkTopology& topology, const std::vector<std::uniq
     } else if (!j.determined) {
       message = fmt::format(
           "joins only {}, none of which settles its pressure when the valves are closed. Add a "
-          "windkessel3, a chamber or a pressure_source to it.",
+          "windkessel3, a chamber or a pressure_source to it, or give a vessel that begins or ends there a "
+          "compliance.",
           quoted(j.elements));
     }
     if (!message.empty())

@@ -7,21 +7,16 @@
 
 namespace valsalva::lumped {
 
-double resistor_flow(double dp, double R, double B)
-{
-  // The root of the quadratic without the difference of two large numbers; exact for B = 0 as well.
-  return 2.0 * dp / (R + std::sqrt(R * R + 4.0 * B * std::abs(dp)));
-}
-
 namespace {
 
 /// Gaussian elimination in place, `matrix` row by row; the solution replaces `x`. No pivoting is needed.
-void solve_positive_definite(std::vector<double>& matrix, std::vector<double>& x)
+template <class Scalar>
+void solve_positive_definite(std::vector<Scalar>& matrix, std::vector<Scalar>& x)
 {
   const std::size_t n = x.size();
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t i = k + 1; i < n; ++i) {
-      const double factor = matrix[i * n + k] / matrix[k * n + k];
+      const Scalar factor = matrix[i * n + k] / matrix[k * n + k];
       for (std::size_t j = k + 1; j < n; ++j) matrix[i * n + j] -= factor * matrix[k * n + j];
       x[i] -= factor * x[k];
     }
@@ -33,39 +28,48 @@ void solve_positive_definite(std::vector<double>& matrix, std::vector<double>& x
 
 }  // namespace
 
-NodalCircuit::NodalCircuit(int nodes) : nodes_(static_cast<std::size_t>(nodes)) {}
+template <class Scalar>
+NodalCircuit<Scalar>::NodalCircuit(int nodes) : nodes_(static_cast<std::size_t>(nodes))
+{
+}
 
-void NodalCircuit::clear()
+template <class Scalar>
+void NodalCircuit<Scalar>::clear()
 {
   for (Node& n : nodes_) n = Node{};
   resistors_.clear();
 }
 
-void NodalCircuit::hold_pressure(int node, double p)
+template <class Scalar>
+void NodalCircuit<Scalar>::hold_pressure(int node, const Scalar& p)
 {
   at(node).held = true;
   at(node).held_pressure = p;
 }
 
-void NodalCircuit::add_pressure(int node, double p, double R)
+template <class Scalar>
+void NodalCircuit<Scalar>::add_pressure(int node, const Scalar& p, const Scalar& R)
 {
   at(node).inflow += p / R;
   at(node).conductance += 1.0 / R;
 }
 
-void NodalCircuit::add_inflow(int node, double Q)
+template <class Scalar>
+void NodalCircuit<Scalar>::add_inflow(int node, const Scalar& Q)
 {
   at(node).inflow += Q;
 }
 
-void NodalCircuit::add_resistor(int from, int to, double R, double B)
+template <class Scalar>
+void NodalCircuit<Scalar>::add_resistor(int from, int to, const Scalar& R, const Scalar& B)
 {
   resistors_.push_back({from, to, R, B, 0.0});
   ++at(from).resistors;
   ++at(to).resistors;
 }
 
-void NodalCircuit::solve()
+template <class Scalar>
+void NodalCircuit<Scalar>::solve()
 {
   for (Node& n : nodes_) {
     n.impedance = n.held ? 0.0 : 1.0 / n.conductance;
@@ -76,7 +80,7 @@ void NodalCircuit::solve()
   } else {
     for (Resistor& r : resistors_) {
       const Node &a = at(r.from), &b = at(r.to);
-      r.Q = resistor_flow(a.pressure - b.pressure, r.R + a.impedance + b.impedance, r.B);
+      r.Q = resistor_flow<Scalar>(a.pressure - b.pressure, r.R + a.impedance + b.impedance, r.B);
     }
   }
   for (const Resistor& r : resistors_) {
@@ -89,7 +93,8 @@ void NodalCircuit::solve()
   }
 }
 
-bool NodalCircuit::resistors_are_coupled() const
+template <class Scalar>
+bool NodalCircuit<Scalar>::resistors_are_coupled() const
 {
   if (resistors_.size() < 2) return false;
   for (const Node& n : nodes_)
@@ -97,14 +102,18 @@ bool NodalCircuit::resistors_are_coupled() const
   return false;
 }
 
-void NodalCircuit::solve_coupled_resistors()
+template <class Scalar>
+void NodalCircuit<Scalar>::solve_coupled_resistors()
 {
+  using std::abs;
   const std::size_t count = resistors_.size();
   impedance_.resize(count * count);
   drive_.resize(count);
   Q_.assign(count, 0.0);
   residual_.resize(count);
-  const auto incidence = [](const Resistor& r, int node) { return (r.from == node) - (r.to == node); };
+  const auto incidence = [](const Resistor& r, int node) {
+    return 1.0 * ((r.from == node) - (r.to == node));
+  };
   for (std::size_t i = 0; i < count; ++i) {
     const Resistor& ri = resistors_[i];
     const Node &a = at(ri.from), &b = at(ri.to);
@@ -117,7 +126,7 @@ void NodalCircuit::solve_coupled_resistors()
     jacobian_ = impedance_;
     for (std::size_t i = 0; i < count; ++i) {
       const Resistor& r = resistors_[i];
-      const double speed = std::abs(Q_[i]);
+      const Scalar speed = abs(Q_[i]);
       residual_[i] = (r.R + r.B * speed) * Q_[i] - drive_[i];
       for (std::size_t j = 0; j < count; ++j) residual_[i] += impedance_[i * count + j] * Q_[j];
       jacobian_[i * count + i] += r.R + 2.0 * r.B * speed;
@@ -126,8 +135,8 @@ void NodalCircuit::solve_coupled_resistors()
     double largest_change = 0.0, largest_flow = 1e-6;
     for (std::size_t i = 0; i < count; ++i) {
       Q_[i] -= residual_[i];
-      largest_change = std::max(largest_change, std::abs(residual_[i]));
-      largest_flow = std::max(largest_flow, std::abs(Q_[i]));
+      largest_change = std::max(largest_change, std::abs(value_of(residual_[i])));
+      largest_flow = std::max(largest_flow, std::abs(value_of(Q_[i])));
     }
     if (largest_change <= 1e-13 * largest_flow) {
       for (std::size_t i = 0; i < count; ++i) resistors_[i].Q = Q_[i];
@@ -139,5 +148,8 @@ void NodalCircuit::solve_coupled_resistors()
       "a "
       "finite number");
 }
+
+template class NodalCircuit<double>;
+template class NodalCircuit<Dual>;
 
 }  // namespace valsalva::lumped

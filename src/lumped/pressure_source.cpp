@@ -6,34 +6,35 @@ namespace {
 constexpr const char* kValueKey = "pressure_mmHg";
 }
 
-PressureSource::PressureSource(std::string name, std::vector<int> nodes, Waveform pressure)
-    : Element(std::move(name), std::move(nodes)), pressure_(std::move(pressure))
+template <class Scalar>
+PressureSource<Scalar>::PressureSource(const ElementInput<Scalar>& input)
+    : Element<Scalar>(input), pressure_(input, kValueKey)
 {
 }
 
-void PressureSource::connect(Instant now, LocalState, NodalCircuit& circuit) const
+template <class Scalar>
+void PressureSource<Scalar>::connect(Instant now, LocalState<Scalar>, NodalCircuit<Scalar>& circuit) const
 {
   circuit.hold_pressure(node(0), pressure_.value(now));
 }
 
-double PressureSource::flow(Instant, LocalState, const NodalCircuit& circuit) const
+template <class Scalar>
+Scalar PressureSource<Scalar>::flow(Instant, LocalState<Scalar>, const NodalCircuit<Scalar>& circuit) const
 {
   return -circuit.flow_into_holder(node(0));
 }
 
 ElementType pressure_source_type()
 {
-  return {
-      .name = "pressure_source",
-      .terminals = {"node"},
-      .parameters = waveform_parameters(kValueKey, "mmHg", "a pressure", "Pressure of the node"),
-      .meaning = "Prescribed pressure, constant or piecewise linear in time",
-      .factory = [](const ElementSpec& e, const std::vector<int>& nodes,
-                    double period_s) -> std::unique_ptr<Element> {
-        return std::make_unique<PressureSource>(e.name, nodes, read_waveform(e, kValueKey, period_s));
-      },
-      .check = [](const ElementSpec& e, double period_s,
-                  std::vector<CaseProblem>& problems) { check_waveform(e, kValueKey, period_s, problems); }};
+  return {.name = "pressure_source",
+          .terminals = {"node"},
+          .parameters = waveform_parameters(kValueKey, "mmHg", "a pressure", "Pressure of the node"),
+          .meaning = "Prescribed pressure, constant, Fourier series or table in time",
+          .factory = make_element<PressureSource, double>,
+          .dual_factory = make_element<PressureSource, Dual>,
+          .check = [](const ElementSpec& e, double period_s, std::vector<CaseProblem>& problems) {
+            check_waveform(e, kValueKey, period_s, problems);
+          }};
 }
 
 }  // namespace valsalva::lumped

@@ -8,49 +8,58 @@ namespace {
 constexpr double kBand = 1e-10;  // mmHg, ml/s
 }
 
-Valve::Valve(std::string name, std::vector<int> nodes, ValveParameters parameters)
-    : Element(std::move(name), std::move(nodes)), parameters_(parameters)
+template <class Scalar>
+Valve<Scalar>::Valve(const ElementInput<Scalar>& input)
+    : Element<Scalar>(input),
+      R_(input.number("R_mmHg_s_ml")),
+      L_(input.number("L_mmHg_s2_ml")),
+      B_(input.number("B_mmHg_s2_ml2"))
 {
 }
 
-std::vector<StateVariable> Valve::states() const
+template <class Scalar>
+std::vector<StateVariable<Scalar>> Valve<Scalar>::states() const
 {
   if (!has_inertia()) return {};
   return {{"Q_ml_s", "ml/s", 0.0}};
 }
 
-void Valve::connect(Instant, LocalState state, NodalCircuit& circuit) const
+template <class Scalar>
+void Valve<Scalar>::connect(Instant, LocalState<Scalar> state, NodalCircuit<Scalar>& circuit) const
 {
   if (!state.open) return;
-  if (has_inertia()) {
-    circuit.add_inflow(node(0), -state.y[0]);
-    circuit.add_inflow(node(1), state.y[0]);
-  } else {
-    circuit.add_resistor(node(0), node(1), parameters_.R, parameters_.B);
-  }
+  if (has_inertia())
+    circuit.add_flow(node(0), node(1), state.y[0]);
+  else
+    circuit.add_resistor(node(0), node(1), R_, B_);
 }
 
-void Valve::rates(Instant, LocalState state, const NodalCircuit& circuit, double* dydt) const
+template <class Scalar>
+void Valve<Scalar>::rates(Instant, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit,
+                          Scalar* dydt) const
 {
+  using std::abs;
   if (!has_inertia()) return;
-  const double Q = state.y[0];
-  const double loss = (parameters_.R + parameters_.B * std::abs(Q)) * Q;
-  dydt[0] = state.open ? (pressure_drop(circuit) - loss) / parameters_.L : 0.0;
+  const Scalar& Q = state.y[0];
+  dydt[0] = state.open ? (pressure_drop(circuit) - (R_ + B_ * abs(Q)) * Q) / L_ : Scalar(0.0);
 }
 
-double Valve::flow(Instant, LocalState state, const NodalCircuit& circuit) const
+template <class Scalar>
+Scalar Valve<Scalar>::flow(Instant, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const
 {
   if (!state.open) return 0.0;
-  return has_inertia() ? state.y[0] : resistor_flow(pressure_drop(circuit), parameters_.R, parameters_.B);
+  return has_inertia() ? state.y[0] : resistor_flow(pressure_drop(circuit), R_, B_);
 }
 
-double Valve::switch_margin(LocalState state, const NodalCircuit& circuit) const
+template <class Scalar>
+Scalar Valve<Scalar>::switch_margin(LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const
 {
   if (!state.open) return kBand - pressure_drop(circuit);
   return kBand + (has_inertia() ? state.y[0] : pressure_drop(circuit));
 }
 
-void Valve::on_switch(bool, double* y) const
+template <class Scalar>
+void Valve<Scalar>::on_switch(bool, Scalar* y) const
 {
   if (has_inertia()) y[0] = 0.0;
 }
@@ -82,20 +91,15 @@ ElementType valve_type()
             .usual = 1.6e-5,
             .meaning = "Pressure lost in the jet per squared flow, rho/(2 area^2)"}},
       .meaning = "Valve: L dQ/dt = dp - R Q - B Q|Q| while open, no backflow",
-      .factory = [](const ElementSpec& e, const std::vector<int>& nodes, double) -> std::unique_ptr<Element> {
-        return std::make_unique<Valve>(
-            e.name, nodes,
-            ValveParameters{e.numbers.at("R_mmHg_s_ml"), e.numbers.at("L_mmHg_s2_ml"),
-                            e.numbers.at("B_mmHg_s2_ml2")});
-      },
-      .check =
-          [](const ElementSpec& e, double, std::vector<CaseProblem>& problems) {
-            if (e.numbers.at("R_mmHg_s_ml") == 0.0 && e.numbers.at("L_mmHg_s2_ml") == 0.0)
-              problems.push_back(
-                  {"", 0, 0, element_key(e, "R_mmHg_s_ml"),
-                   "is 0 in a valve without inertance, whose flow would be undefined; give a small "
-                   "resistance (0.005 mmHg s/ml) or L_mmHg_s2_ml."});
-          }};
+      .factory = make_element<Valve, double>,
+      .dual_factory = make_element<Valve, Dual>,
+      .check = [](const ElementSpec& e, double, std::vector<CaseProblem>& problems) {
+        if (e.numbers.at("R_mmHg_s_ml") == 0.0 && e.numbers.at("L_mmHg_s2_ml") == 0.0)
+          problems.push_back(
+              {"", 0, 0, element_key(e, "R_mmHg_s_ml"),
+               "is 0 in a valve without inertance, whose flow would be undefined; give a small "
+               "resistance (0.005 mmHg s/ml) or L_mmHg_s2_ml."});
+      }};
 }
 
 }  // namespace valsalva::lumped

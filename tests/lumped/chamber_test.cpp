@@ -32,7 +32,7 @@ TEST(Chamber, IsovolumicPressureIsElastanceTimesStressedVolume)
 TEST(Chamber, DoubleHillReachesOneOnceAndHasItsShape)
 {
   const DoubleHill shape = {1.32, 21.9, 0.303 * 0.8, 0.508 * 0.8};
-  const Activation activation = Activation::double_hill(shape, 0.8);
+  const Activation<double> activation = Activation<double>::double_hill(shape, 0.8);
   const auto unscaled = [&](double t) {
     const double h1 = std::pow(t / shape.tau1_s, shape.n1), h2 = std::pow(t / shape.tau2_s, shape.n2);
     return h1 / (1.0 + h1) / (1.0 + h2);

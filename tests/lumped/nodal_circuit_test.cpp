@@ -8,7 +8,7 @@ namespace valsalva::lumped {
 
 TEST(NodalCircuit, AnIsolatedNodeHasItsTheveninPressure)
 {
-  NodalCircuit circuit(2);
+  NodalCircuit<double> circuit(2);
   circuit.hold_pressure(0, 70.0);
   circuit.add_inflow(0, 12.0);
   circuit.add_pressure(1, 85.0, 0.033);
@@ -30,7 +30,7 @@ TEST(NodalCircuit, CoupledQuadraticResistorsSatisfyKirchhoffAtEveryNode)
   const Branch branches[] = {{0, 1, 0.01, 3e-5}, {1, 2, 0.0, 1e-3}, {1, 3, 0.02, 0.0}, {3, 0, 0.005, 2e-4}};
   const double behind[] = {0.0, 80.0, 20.0, 130.0}, R[] = {0.0, 0.05, 0.3, 0.04},
                given[] = {5.0, -40.0, 0.0, 25.0};
-  NodalCircuit circuit(4);
+  NodalCircuit<double> circuit(4);
   circuit.hold_pressure(0, 110.0);
   for (int n = 0; n < 4; ++n) circuit.add_inflow(n, given[n]);
   for (int n = 1; n < 4; ++n) circuit.add_pressure(n, behind[n], R[n]);

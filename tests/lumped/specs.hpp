@@ -72,12 +72,55 @@ inline ElementSpec chamber(const std::string& name, const std::string& node, dou
           {}};
 }
 
-/// cases/lumped_heart/case.toml
+/// The network of cases/lumped_heart with a more ideal ventricle and aortic valve.
 inline NetworkSpec left_heart()
 {
   return {
       {pressure_source("veins", "la", 10.0), valve("mitral", "la", "lv", 0.005), chamber("ventricle", "lv"),
        valve("aortic", "lv", "ao", 0.012, 0.0003), windkessel("arteries", "ao", 0.033, 0.79, 1.75, 80.0)},
+      {},
+      0.8};
+}
+
+inline ElementSpec heart_chamber(const std::string& name, double Emax, double Emin, double V0, double volume,
+                                 double onset = 0.0)
+{
+  ElementSpec e = chamber(name, name, volume);
+  e.numbers["Emax_mmHg_ml"] = Emax;
+  e.numbers["Emin_mmHg_ml"] = Emin;
+  e.numbers["V0_ml"] = V0;
+  e.numbers.erase("period_s");
+  e.numbers["onset_periods"] = onset;
+  if (onset > 0.0) {
+    e.words["activation"] = "half_cosine";
+    e.numbers["systole_periods"] = 0.2;
+  }
+  return e;
+}
+
+/// With a compliance at its inlet, if any.
+inline ElementSpec vessel(const std::string& name, const std::string& from, const std::string& to, double R,
+                          double L = 0.0, double C = 0.0, double initial = 0.0)
+{
+  return {name,
+          "vessel",
+          {{"from", from}, {"to", to}},
+          {{"R_mmHg_s_ml", R}, {"L_mmHg_s2_ml", L}, {"C_ml_mmHg", C}, {"initial_pressure_mmHg", initial}},
+          {},
+          {{"wall", "inlet"}}};
+}
+
+/// The network of cases/four_chamber_loop without Bernoulli losses: twelve states, closed.
+inline NetworkSpec four_chambers()
+{
+  return {
+      {heart_chamber("lv", 2.5, 0.06, 10.0, 120.0), heart_chamber("rv", 0.55, 0.05, 20.0, 130.0),
+       heart_chamber("la", 0.25, 0.15, 15.0, 60.0, 0.85), heart_chamber("ra", 0.22, 0.12, 15.0, 60.0, 0.85),
+       valve("mitral", "la", "lv", 0.005), valve("aortic", "lv", "ao", 0.012, 0.0003),
+       valve("tricuspid", "ra", "rv", 0.005), valve("pulmonary", "rv", "pa", 0.008, 0.0002),
+       vessel("aorta", "ao", "sa", 0.03, 0.0005, 0.3, 85.0), vessel("body", "sa", "sv", 0.9, 0.0, 1.4, 85.0),
+       vessel("veins", "sv", "ra", 0.02, 0.0, 60.0, 7.0), vessel("lungs", "pa", "pv", 0.08, 0.0, 4.5, 15.0),
+       vessel("lung_veins", "pv", "la", 0.01, 0.0, 12.0, 9.0)},
       {},
       0.8};
 }

@@ -12,9 +12,6 @@
 
 namespace valsalva::ib3d {
 
-/// Ghost layers that the fluxes read.
-inline constexpr int kFluxGhosts = 2;
-
 /// Fluxes through the low d-sides of n control volumes in a row. q: the component at the first one; sd: its
 /// stride along d; v0, v1: the two advecting values of each side.
 template <auto upwind_value>

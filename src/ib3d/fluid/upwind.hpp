@@ -18,6 +18,12 @@ namespace valsalva::ib3d {
 /// The convective flux; none is Stokes flow.
 enum class Advection { none, limited, xsppm7 };
 
+/// Ghost layers that the flux and the viscous term read.
+constexpr int ghosts_read(Advection a)
+{
+  return a == Advection::xsppm7 ? 4 : 2;
+}
+
 inline double median(double a, double b, double c)
 {
   return std::max(std::min(a, b), std::min(std::max(a, b), c));

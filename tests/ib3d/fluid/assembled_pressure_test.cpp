@@ -79,7 +79,7 @@ std::vector<double> solve_assembled(const std::vector<std::vector<std::pair<int,
 
 TEST(PressureSolver, CompositeSolutionIsThatOfBoomerAmgOnTheAssembledMatrix)
 {
-  const Hierarchy grid = nested_grid(walled_box({1, 1, 2}), 1.0 / 8, 2, true);
+  const Hierarchy grid = nested_grid(walled_box({1, 1, 1}), 1.0 / 16, 2, true);
   const std::vector<Opening> discs{{"inlet", 4, {0.5, 0.5, 0}, 0.2, "lv"},
                                    {"outlet", 5, {0.5, 0.5, 0}, 0.15, "ao"}};
   std::vector<CoarseFine> transfers = transfers_between_levels(grid);

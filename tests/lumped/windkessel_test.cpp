@@ -1,4 +1,4 @@
-#include "lumped/windkessel3.hpp"
+#include "lumped/windkessel.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,52 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands.hpp"
+#include "common/output_folder.hpp"
+#include "coupling/fit_case.hpp"
+#include "valsalva_version.hpp"
+
+namespace valsalva::app {
+
+namespace {
+
+struct FitArguments {
+  CaseArguments of_case;
+  coupling::FitOptions options;
+};
+
+int fit(const FitArguments& arguments, Chosen& chosen, const Communicator& comm)
+{
+  const CaseFile case_file = read_case(arguments.of_case);
+  coupling::FitOptions options = arguments.options;
+  if (options.out_dir.empty()) options.out_dir = common::usual_output_folder(case_file.path()) + "-fit";
+  common::check_output_folder(options.out_dir, options.force, comm);
+  try {
+    const int code = coupling::fit_case(case_file, options);
+    if (case_file.section("output").flag("pictures"))
+      chosen.afterwards = [options] {
+        draw_pictures(std::string(kSourceDir) + "/scripts/draw_fit.py", options.out_dir);
+      };
+    return code;
+  } catch (const CaseError& error) {
+    throw case_file.locate(error);
+  }
+}
+
+}  // namespace
+
+void add_fit(CLI::App& app, Chosen& chosen)
+{
+  auto arguments = std::make_shared<FitArguments>();
+  CLI::App* command = app.add_subcommand("fit", "Fit free parameters of a 0D case to a measured beat");
+  add_case_arguments(*command, arguments->of_case);
+  command->add_option("--data", arguments->options.data_path,
+                      "CSV of the measured beat (default: the case's)");
+  command->add_option("-o,--out", arguments->options.out_dir, "Output folder (default: out/<case>-fit)");
+  command->add_flag("--force", arguments->options.force, "Replace the output of an earlier run");
+  command->callback([arguments, &chosen] {
+    chosen.action = [arguments, &chosen](const Communicator& comm) { return fit(*arguments, chosen, comm); };
+  });
+}
+
+}  // namespace valsalva::app

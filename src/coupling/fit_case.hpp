@@ -1,0 +1,21 @@
+// `valsalva fit`: the free parameters of a 0D case to a measured beat. Writes
+//   fit.txt   the result for people        fit.json   the same for programs
+//   fit.csv   t_s and, per signal, data, model and residual
+#pragma once
+
+#include <string>
+
+#include "common/case_file.hpp"
+
+namespace valsalva::coupling {
+
+struct FitOptions {
+  std::string data_path;  ///< CSV of the measured beat; empty: the case's fit.data
+  std::string out_dir;
+  bool force = false;  ///< replace what is in `out_dir`
+};
+
+/// Returns the exit code. Throws CaseError, SolverError, IoError. Rank 0 computes; collective.
+int fit_case(const CaseFile& c, const FitOptions& options);
+
+}  // namespace valsalva::coupling

@@ -1,0 +1,18 @@
+// What a fit's data cannot tell, in sentences for people: parameters that no residual depends on, parameters of
+// which only a combination is determined, wide intervals, near-collinear pairs, bounds, correlated residuals.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lumped/fit.hpp"
+#include "lumped/fit_model.hpp"
+
+namespace valsalva::lumped {
+
+std::vector<std::string> fit_flags(const Fit& fit, const std::vector<Unknown>& unknowns);
+
+/// The whole result as text for people: estimates with intervals, correlations, residuals, flags.
+std::string fit_text(const Fit& fit);
+
+}  // namespace valsalva::lumped

@@ -1,0 +1,43 @@
+// Heart valve as an orifice whose leaflets open and close at a finite rate.
+//
+//     from o--->--|>|--[ R ]--[ L ]--[ B ]--o to        L dQ/dt = dp - R Q - B Q|Q|,   dp = P_from - P_to
+//           Q                                           A = A_closed + (A_open - A_closed) zeta
+//                                                       L = rho l/A,   B = rho/(2 A^2)
+//     d zeta/dt = (1 - zeta) K_open dp   while dp > 0,      zeta K_close dp   while dp < 0
+//
+//   area_open_cm2, area_closed_cm2  (cm^2; the closed valve leaks through the second)     length_cm  l
+//   opening_1_mmHg_s, closing_1_mmHg_s  K_open, K_close (1/(mmHg s))     R_mmHg_s_ml  default 0
+//   density_g_cm3  rho, default 1.06
+// The flow reverses while the leaflets close: a closing volume. Starts closed. States: Q (ml/s), zeta (0 shut
+// to 1 open). The integrator stops where dp changes its sign, because the rate of zeta has a kink there.
+// Source: Mynard, Davidson, Penny & Smolich, Int J Numer Meth Biomed Engng 28 (2012) 626-641.
+#pragma once
+
+#include "lumped/element_types.hpp"
+
+namespace valsalva::lumped {
+
+template <class Scalar>
+class OrificeValve final : public Element<Scalar> {
+ public:
+  explicit OrificeValve(const ElementInput<Scalar>& input);
+
+  std::vector<StateVariable<Scalar>> states() const override;
+  void connect(Instant now, LocalState<Scalar> state, NodalCircuit<Scalar>& circuit) const override;
+  void rates(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit,
+             Scalar* dydt) const override;
+  Scalar flow(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const override;
+  bool switches() const override { return true; }
+  Scalar switch_margin(LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const override;
+
+ private:
+  using Element<Scalar>::node;
+  using Element<Scalar>::pressure_drop;
+
+  Scalar area_open_, area_closed_, length_, opening_, closing_, R_;
+  Scalar density_;  ///< mmHg s^2/cm^2
+};
+
+ElementType orifice_valve_type();
+
+}  // namespace valsalva::lumped
