@@ -16,7 +16,7 @@ std::vector<KeySection> numerics_sections()
         real("dt_fixed_s", "s", "Fixed step; 0: automatic steps").in(0.0, 1.0).or_else(0.0),
         real("elastic_safety", "", "Automatic step as a fraction of the structure's stable step")
             .in(0.01, 1.0)
-            .or_else(0.8)}},
+            .or_else(0.9)}},
       {"domain",
        "The box of fluid, z along the vessel",
        {reals("size_cm", "cm", "Lengths of the box along x, y, z")

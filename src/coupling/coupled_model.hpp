@@ -17,7 +17,7 @@ enum class CouplingScheme { implicit_, explicit_ };
 
 struct StepControl {
   double cfl = 0.4;             ///< largest CFL number
-  double elastic_safety = 0.8;  ///< share of the elastic bound 2/omega_max that is used
+  double elastic_safety = 0.9;  ///< share of the elastic bound 2/omega_max that is used
   double dt_max_s = 2e-4;
   double dt_fixed_s = 0;  ///< > 0: this step, shortened only to land on output times and kinks
 };
