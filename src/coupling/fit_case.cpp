@@ -143,9 +143,10 @@ int fit_case(const CaseFile& c, const FitOptions& options)
                     "makes this a 3D case; only the parameters of a case without openings can be fitted.");
   const Communicator comm;
   const lumped::FitProblem problem = problem_from_case(c, data_path(c, options));
+  // On every rank, with the same result: a problem that is refused then leaves no folder behind.
+  const lumped::Fit fit = lumped::fit(problem);
   common::create_output_folder(options.out_dir, options.force, c.resolved_toml(), comm);
   if (!comm.is_root()) return 0;
-  const lumped::Fit fit = lumped::fit(problem);
   const std::string text = lumped::fit_text(fit);
   write_text(options.out_dir + "/fit.txt", text);
   write_text(options.out_dir + "/fit.json", fit_json(fit));

@@ -15,7 +15,7 @@ struct FitOptions {
   bool force = false;  ///< replace what is in `out_dir`
 };
 
-/// Returns the exit code. Throws CaseError, SolverError, IoError. Rank 0 computes; collective.
+/// Returns the exit code. Throws CaseError, SolverError, IoError. Collective.
 int fit_case(const CaseFile& c, const FitOptions& options);
 
 }  // namespace valsalva::coupling

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "common/error.hpp"
 #include "common/nearest_name.hpp"
@@ -34,6 +35,41 @@ Traced extreme(const Eigen::VectorXd& y, const Eigen::MatrixXd& dy, bool is_maxi
   const double s = slope / (4.0 * curvature);
   return {y[n] - 0.5 * s * slope,
           dy.row(n) - s * (dy.row(b) - dy.row(a)) + 2.0 * s * s * (dy.row(a) - 2.0 * dy.row(n) + dy.row(b))};
+}
+
+/// Mean, integral, or extreme of observable `o`; `rows` are the samples that cover the beat evenly.
+Traced summary_of(SummaryKind kind, const SampledBeat& beat, Eigen::Index o, double period,
+                  std::span<const Eigen::Index> rows)
+{
+  if (kind == SummaryKind::volume) return {beat.integrals[o], beat.integral_gradients.row(o)};
+  if (kind == SummaryKind::mean) return {beat.integrals[o] / period, beat.integral_gradients.row(o) / period};
+  const Eigen::MatrixXd& gradient = beat.gradients[static_cast<std::size_t>(o)];
+  Eigen::VectorXd y(kSummarySamples);
+  Eigen::MatrixXd dy(kSummarySamples, gradient.cols());
+  for (Eigen::Index n = 0; n < kSummarySamples; ++n) {
+    y[n] = beat.values(rows[static_cast<std::size_t>(n)], o);
+    dy.row(n) = gradient.row(rows[static_cast<std::size_t>(n)]);
+  }
+  return extreme(y, dy, kind == SummaryKind::systolic);
+}
+
+/// Times in order, and where each of the given ones has gone.
+struct Sorted {
+  std::vector<double> times;
+  std::vector<Eigen::Index> row;
+};
+
+Sorted sort_times(const std::vector<double>& times)
+{
+  std::vector<std::size_t> order(times.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] < times[b]; });
+  Sorted sorted{{}, std::vector<Eigen::Index>(times.size())};
+  for (std::size_t n : order) {
+    sorted.row[n] = static_cast<Eigen::Index>(sorted.times.size());
+    sorted.times.push_back(times[n]);
+  }
+  return sorted;
 }
 
 bool allows_no_negative(const NetworkSpec& spec, const std::string& name)
@@ -164,23 +200,16 @@ void FitModel::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::Mat
     dp_dx[k] = u.is_log ? value : 1.0;
   }
 
-  // All times at which anything is asked, each once and in order.
+  // All times at which anything is asked.
   std::vector<double> times;
   for (std::size_t s = 0; s < problem_.signals.size(); ++s)
     for (double t : problem_.signals[s].t)
       times.push_back(model_time(t + (places_[s].shift < 0 ? 0.0 : x[places_[s].shift])));
   if (!problem_.summaries.empty())
     for (int n = 0; n < kSummarySamples; ++n) times.push_back(spec.period_s * n / kSummarySamples);
-  std::vector<std::size_t> order(times.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] < times[b]; });
-  std::vector<double> sorted;
-  for (std::size_t n : order) sorted.push_back(times[n]);
-  std::vector<Eigen::Index> row(times.size());
-  for (std::size_t n = 0; n < order.size(); ++n) row[order[n]] = static_cast<Eigen::Index>(n);
-
+  const Sorted samples = sort_times(times);
   const SampledBeat beat =
-      sample_beat(spec, beginning(spec), parameters_, observables_, sorted, problem_.rtol);
+      sample_beat(spec, beginning(spec), parameters_, observables_, samples.times, problem_.rtol);
   const auto observable = [&](const std::string& name) {
     return std::find(observables_.begin(), observables_.end(), name) - observables_.begin();
   };
@@ -194,7 +223,7 @@ void FitModel::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::Mat
     const FitSignal& signal = problem_.signals[s];
     const auto o = observable(signal.observable);
     for (std::size_t n = 0; n < signal.t.size(); ++n, ++i) {
-      const Eigen::Index at = row[static_cast<std::size_t>(i)];
+      const Eigen::Index at = samples.row[static_cast<std::size_t>(i)];
       const double baseline = places_[s].baseline < 0 ? 0.0 : x[places_[s].baseline];
       r[i] = (beat.values(at, o) + baseline - signal.value[n]) / sd(s);
       J.row(i).head(n_parameters) =
@@ -205,20 +234,8 @@ void FitModel::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::Mat
   }
   for (const FitSummary& summary : problem_.summaries) {
     const auto o = observable(summary.observable);
-    Traced traced{beat.integrals[o], beat.integral_gradients.row(o)};
-    if (summary.kind == SummaryKind::mean) {
-      traced.value /= spec.period_s;
-      traced.gradient /= spec.period_s;
-    } else if (summary.kind != SummaryKind::volume) {
-      Eigen::VectorXd y(kSummarySamples);
-      Eigen::MatrixXd dy(kSummarySamples, n_parameters);
-      for (Eigen::Index n = 0; n < kSummarySamples; ++n) {
-        const Eigen::Index at = row[signal_times + static_cast<std::size_t>(n)];
-        y[n] = beat.values(at, o);
-        dy.row(n) = beat.gradients[static_cast<std::size_t>(o)].row(at);
-      }
-      traced = extreme(y, dy, summary.kind == SummaryKind::systolic);
-    }
+    const Traced traced =
+        summary_of(summary.kind, beat, o, spec.period_s, std::span(samples.row).subspan(signal_times));
     r[i] = (traced.value - summary.value) / summary.sd;
     J.row(i++).head(n_parameters) = traced.gradient.cwiseProduct(dp_dx) / summary.sd;
   }

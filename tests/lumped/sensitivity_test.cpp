@@ -80,7 +80,7 @@ TEST(Sensitivities, FollowTheTrajectoryThroughValveEvents)
     CvodeIntegrator integrator(network, tangents, kRtol);
     LumpedState state = network.initial_state();
     Eigen::MatrixXd S = tangents.initial();
-    for (double t : {0.3, 0.75, 1.2}) {
+    for (double t : {0.3, 1.2}) {
       integrator.advance(state, S, t);
       for (std::size_t k = 0; k < kHeartParameters.size(); ++k) {
         const Eigen::VectorXd gradient = tangents.scales()[k] * S.col(static_cast<Eigen::Index>(k));
