@@ -4,7 +4,6 @@
 #include "app/commands.hpp"
 #include "common/output_folder.hpp"
 #include "coupling/fit_case.hpp"
-#include "valsalva_version.hpp"
 
 namespace valsalva::app {
 
@@ -24,9 +23,7 @@ int fit(const FitArguments& arguments, Chosen& chosen, const Communicator& comm)
   try {
     const int code = coupling::fit_case(case_file, options);
     if (case_file.section("output").flag("pictures"))
-      chosen.afterwards = [options] {
-        draw_pictures(std::string(kSourceDir) + "/scripts/draw_fit.py", options.out_dir);
-      };
+      chosen.afterwards = [out = options.out_dir] { return draw("draw_fit.py", out); };
     return code;
   } catch (const CaseError& error) {
     throw case_file.locate(error);

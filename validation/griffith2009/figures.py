@@ -119,7 +119,7 @@ def main():
     folder = arguments.out / "figures"
     folder.mkdir(parents=True, exist_ok=True)
     style.apply()
-    plt.rcParams["savefig.dpi"] = 160
+    plt.rcParams["savefig.dpi"] = 130
     drawn = {}
     for number, draw in enumerate((figure_2, figure_3, figure_4, figure_5, figure_6, figure_7), start=2):
         try:

@@ -1,4 +1,7 @@
 """What the paper states about each figure, beside the numbers of a run."""
+import json
+import tomllib
+
 import h5py
 import numpy as np
 
@@ -142,14 +145,20 @@ def _grid_rows(out):
              f"outside of the finest in {frames} frames")]
 
 
+def _what_ran(out):
+    resolved = (out / "case.resolved.toml").read_text()
+    case, facts = tomllib.loads(resolved), json.loads((out / "run.json").read_text())
+    grid, fluid = case["grid"], case["fluid"]
+    return (f"From a run of `{facts['case']}`, {facts['outcome']} {facts['written'][:10]}: finest spacing {grid['finest_cm']:g} cm, "
+            f"{grid.get('levels', 1)} level(s), convection `{fluid['advection']}`, viscosity "
+            f"`{fluid.get('viscosity_scheme', 'explicit')}`.")
+
+
 def fill_page(template, target, out, drawn):
     """Writes `template` to `target` with the part between the marks made anew from the run."""
     head, _, rest = template.read_text().partition(BEGIN)
     tail = rest.partition(END)[2]
-    resolved = (out / "case.resolved.toml").read_text()
-    spacing = next(line.split("=")[1].split("#")[0].strip() for line in resolved.splitlines() if line.startswith("finest_cm"))
-    lines = [f"From a run of {resolved.splitlines()[0].split(' with ')[0].lstrip('# ')}, finest spacing {spacing} cm:", "",
-             "| figure | the paper | this run |", "|---|---|---|"]
+    lines = [_what_ran(out), "", "| figure | the paper | this run |", "|---|---|---|"]
     lines += [f"| {figure} | {stated} | {found} |" for figure, stated, found in rows(out)] + [""]
     for number, what in drawn.items():
         lines += [f"**Figure {number}.** {what}", "", f"![Figure {number}](figures/figure_{number}.png)", ""]
