@@ -45,9 +45,18 @@ def read_line(path, axis=None):
 
 
 def draw(out, pictures):
-    chosen = choose_frames(out, read_series(out / "fields"), INSTANTS)
+    draw_lines(out, choose_frames(out, read_series(out / "fields"), INSTANTS), pictures, "centre_line")
+
+
+def axis_of(out):
+    """(x, y) of the vessel's axis; None without leaflets."""
     structure, _ = structure_and_axis(out)
-    axis = fit_annulus(Fibers(structure[0][1]))[0][:2] if structure else None
+    return fit_annulus(Fibers(structure[0][1]))[0][:2] if structure else None
+
+
+def draw_lines(out, chosen, pictures, name):
+    """One line per (what, time, path of the fields)."""
+    axis = axis_of(out)
     figure, axes = plt.subplots(figsize=(style.COLUMN_WIDTH, 3.0))
     for (what, t, path), (color, line) in zip(chosen, LINES):
         axes.plot(*read_line(path, axis), color=color, linestyle=line, label=f"{t:.2f} s {what}".strip())
@@ -56,4 +65,4 @@ def draw(out, pictures):
     axes.set_xlim(left=0)
     axes.legend(loc="lower left", bbox_to_anchor=(-0.16, 1.0), ncol=2, borderaxespad=0, columnspacing=0.8, handlelength=1.5, fontsize=7)
     figure.tight_layout(pad=0.5)
-    style.save(figure, pictures, "centre_line", "svg")
+    style.save(figure, pictures, name, "svg")

@@ -35,6 +35,7 @@ def draw(out, pictures):
 
 
 def draw_zooms(t, q, spans, label, pictures, name):
+    """The flow over every (start, end) of `spans`, each within the one before."""
     figure, axes = plt.subplots(len(spans), 1, figsize=(style.COLUMN_WIDTH, 1.9 * len(spans) + 0.2))
     for panel, (start, end) in zip(axes, spans):
         shown = (t >= start) & (t <= end)
@@ -44,9 +45,9 @@ def draw_zooms(t, q, spans, label, pictures, name):
         panel.set_xlim(1e3 * start, 1e3 * end)
         panel.set_ylabel(f"flow, {label} (ml/s)")
     axes[-1].set_xlabel("time (ms)")
-    if len(spans) == 2:
-        axes[0].axvspan(1e3 * spans[1][0], 1e3 * spans[1][1], color=style.AORTA, alpha=0.15, linewidth=0)
-        axes[1].text(0.99, 0.04, "every step a dot", transform=axes[1].transAxes, ha="right", color=style.GREY)
+    for panel, (start, end) in zip(axes, spans[1:]):
+        panel.axvspan(1e3 * start, 1e3 * end, color=style.AORTA, alpha=0.15, linewidth=0)
+    axes[-1].text(0.99, 0.9, "every step a dot", transform=axes[-1].transAxes, ha="right", color=style.GREY)
     figure.align_ylabels(axes)
     figure.tight_layout(pad=0.5)
     style.save(figure, pictures, name, "svg")

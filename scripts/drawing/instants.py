@@ -1,7 +1,7 @@
 """The instants that tell the story of a beat, found in the flow and the pressures, and the frames nearest to them."""
 import numpy as np
 
-from .run_output import Missing, columns_like, read_table
+from .run_output import Missing, columns_like, nearest, read_table
 
 FLOW_NAMES = ("out", "outlet", "valve", "aortic", "aortic_valve", "in", "inlet")
 
@@ -67,7 +67,6 @@ def choose_frames(out, frames, wanted=None):
 
     Without a flow the frames are spread evenly over the run.
     """
-    times = np.array([t for t, _ in frames])
     try:
         instants = story(out)
     except Missing:
@@ -77,8 +76,8 @@ def choose_frames(out, frames, wanted=None):
         instants = [instants[i] for i in wanted if i < len(instants)]
     chosen, used = [], set()
     for what, t in instants:
-        i = int(np.argmin(np.abs(times - t)))
-        if i not in used:
-            used.add(i)
-            chosen.append((what, *frames[i]))
+        frame = nearest(frames, t)
+        if frame not in used:
+            used.add(frame)
+            chosen.append((what, *frame))
     return chosen

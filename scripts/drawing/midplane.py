@@ -13,7 +13,7 @@ from matplotlib.ticker import MaxNLocator
 from . import style
 from .instants import choose_frames
 from .scene import fit_annulus
-from .run_output import Fibers, Missing, leaflet_frames, read_series, wall_points
+from .run_output import Fibers, Missing, leaflet_frames, nearest, read_series, wall_points
 
 INSTANTS = (0, 2, 4, 5)  # of the story: closed, peak flow, closing, closed
 Patch = namedtuple("Patch", "level h z x pressure speed")  # cm; z and x as (low, high); values as [x, z]
@@ -168,7 +168,7 @@ def cut_at(structure, t, y):
     """Where the leaflets of the frame nearest to t cross the plane."""
     if not structure:
         return np.zeros((0, 3))
-    return cut_of_leaflets(Fibers(min(structure, key=lambda f: abs(f[0] - t))[1]), y)
+    return cut_of_leaflets(Fibers(nearest(structure, t)[1]), y)
 
 
 def _range(arrays):

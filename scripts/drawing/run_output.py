@@ -62,6 +62,11 @@ def read_series(folder, stem=None):
     return frames
 
 
+def nearest(frames, t):
+    """The frame (time, path) nearest to t; the later of two that are equally near to a millisecond."""
+    return min(frames, key=lambda frame: (round(abs(frame[0] - t), 3), -frame[0]))
+
+
 class Fibers:
     """Points, groups and lines of one structure file; all pieces in one numbering."""
 

@@ -40,5 +40,7 @@ std::string case_file_path(const CaseArguments& arguments);
 
 /// Runs /usr/bin/python3 scripts/`name` with the arguments and returns its exit code. Not while MPI is at work.
 int run_script(const std::string& name, std::vector<std::string> arguments);
+/// The same with an output folder whose results are complete without pictures: a failure is a warning, the code 0.
+int draw(const std::string& name, const std::string& out_dir);
 
 }  // namespace valsalva::app

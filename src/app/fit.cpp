@@ -23,7 +23,7 @@ int fit(const FitArguments& arguments, Chosen& chosen, const Communicator& comm)
   try {
     const int code = coupling::fit_case(case_file, options);
     if (case_file.section("output").flag("pictures"))
-      chosen.afterwards = [options] { return run_script("draw_fit.py", {options.out_dir}); };
+      chosen.afterwards = [out = options.out_dir] { return draw("draw_fit.py", out); };
     return code;
   } catch (const CaseError& error) {
     throw case_file.locate(error);

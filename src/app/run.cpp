@@ -7,7 +7,6 @@
 
 #include "app/commands.hpp"
 #include "common/output_folder.hpp"
-#include "valsalva_version.hpp"
 
 namespace valsalva::app {
 
@@ -26,18 +25,6 @@ std::string continue_command(const CaseArguments& of_case, const std::string& ou
   return command;
 }
 
-/// Pictures and report of a run that has ended; without them its results are complete all the same.
-int draw(const std::string& out_dir, bool with_report)
-{
-  const std::string script = with_report ? "report_run.py" : "draw_run.py";
-  if (run_script(script, {out_dir}) != 0)
-    fmt::print(stderr,
-               "warning: pictures or report are missing; the results are complete. To draw again: "
-               "/usr/bin/python3 {}/scripts/{} {}\n",
-               kSourceDir, script, out_dir);
-  return 0;
-}
-
 int run(const RunArguments& arguments, Chosen& chosen, const Communicator& comm)
 {
   const CaseFile case_file = read_case(arguments.of_case);
@@ -51,7 +38,7 @@ int run(const RunArguments& arguments, Chosen& chosen, const Communicator& comm)
     const common::CaseTable& output = case_file.section("output");
     if (output.flag("pictures"))
       chosen.afterwards = [out = options.out_dir, report = output.flag("report")] {
-        return draw(out, report);
+        return draw(report ? "report_run.py" : "draw_run.py", out);
       };
     return code;
   } catch (const CaseError& error) {

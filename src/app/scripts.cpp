@@ -33,4 +33,14 @@ int run_script(const std::string& name, std::vector<std::string> arguments)
   return ended ? WEXITSTATUS(status) : common::kIoErrorCode;
 }
 
+int draw(const std::string& name, const std::string& out_dir)
+{
+  if (run_script(name, {out_dir}) != 0)
+    fmt::print(stderr,
+               "warning: something could not be drawn; the results are complete. Draw again with "
+               "/usr/bin/python3 {}/scripts/{} {}\n",
+               kSourceDir, name, out_dir);
+  return 0;
+}
+
 }  // namespace valsalva::app

@@ -52,7 +52,7 @@ def write(out, scale=1.0, outcome="finished"):
     (out / "run.json").write_text(json.dumps({"case": "made/up.toml", "outcome": outcome, "ranks": 2, "host": "here",
                                               "t_s": 0.8, "steps": 1600, "cells": 640, "nodes": 147, "wall_s": 12.5,
                                               "peak_memory_mb": 20, "written": "2026-01-01T00:00:00Z"}))
-    (out / "case.resolved.toml").write_text('title = "Made up <b>& more</b>"\n[time]\nend_s = 0.8\n[grid]\nfinest_cm = 0.1\n'
+    (out / "case.resolved.toml").write_text('title = "Made up <b>& more</b>"\n[time]\nend_s = 0.8\n[grid]\nfinest_cm = 0.1\n[fluid]\nadvection = "limited"\n'
                                             '[[opening]]\nname = "inlet"\n')
     (out / "log.txt").write_text("phase       s     %   calls   ms/call\nspread   4.00  40.0    1600     2.500\n"
                                  "output   6.00  60.0    1600     3.750\nwall    10.00 100.0\n")
