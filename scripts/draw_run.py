@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """Draws the pictures of a run: draw_run.py OUT [OUT ...] writes OUT/pictures/*.png.
 
-flow_and_pressure, probes, leaflets_above, leaflets_side, midplane, step, centre_line, closing_ring, pv_loop; lines
-also as .svg. Needs no display and can be called while the run goes on. A picture whose input is not there is left out, with one line that says why.
+flow_and_pressure, probes, leaflets_above, leaflets_side, midplane, step, centre_line, closing_ring, pv_loop; some
+also as .svg. Needs no display and can be called while the run goes on. A picture whose input is not there is left out,
+with one line that says why.
 """
 import argparse
 import sys

@@ -63,6 +63,7 @@ def draw_lines(out, chosen, pictures, name):
     axes.set_xlabel("z (cm)")
     axes.set_ylabel("pressure (mmHg)")
     axes.set_xlim(left=0)
-    axes.legend(loc="lower left", bbox_to_anchor=(-0.16, 1.0), ncol=2, borderaxespad=0, columnspacing=0.8, handlelength=1.5, fontsize=7)
+    axes.legend(loc="lower left", bbox_to_anchor=(-0.16, 1.0), ncol=2, borderaxespad=0,
+                columnspacing=0.8, handlelength=1.5, fontsize=7)
     figure.tight_layout(pad=0.5)
     style.save(figure, pictures, name, "svg")

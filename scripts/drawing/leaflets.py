@@ -46,8 +46,7 @@ def draw_panels(scene, frames, pictures, name, most_columns=3, page_width=style.
         panel.set_axis_off()
     small = {"fontsize": 7} if page_width < style.PAGE_WIDTH else {}
     for panel, letter, (what, t, fibers) in zip(axes.flat, "abcdef", frames):
-        panel.imshow(np.asarray(scene.image(fibers, PIXELS)), aspect="equal",
-                     extent=(scene.low[0], scene.high[0], scene.low[1], scene.high[1]))
+        panel.imshow(np.asarray(scene.image(fibers, PIXELS)), extent=scene.extent)
         style.letter(panel, letter, x=0.03)
         panel.text(0.10, 1.02, f"{t:.3f} s   {what}", transform=panel.transAxes, va="bottom", **small)
     _draw_scale(axes.flat[0], scene)

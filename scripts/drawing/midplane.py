@@ -112,8 +112,8 @@ def draw_planes(planes, wall, columns, pictures, name, page_width=style.PAGE_WID
     total = rows * (height + 0.24) + 1.0
     figure, axes = plt.subplots(rows, len(columns), sharex=True, sharey=True, squeeze=False,
                                 figsize=(page_width, total))
-    figure.subplots_adjust(left=margin, right=1 - 0.11 / page_width, top=1 - 0.24 / total, bottom=0.93 / total, wspace=0.165,
-                           hspace=0.24 / height)
+    figure.subplots_adjust(left=margin, right=1 - 0.11 / page_width, top=1 - 0.24 / total, bottom=0.93 / total,
+                           wspace=0.165, hspace=0.24 / height)
     for (field, with_grid), column in zip(columns, axes.T):
         low, high = _range([getattr(patch, field) for plane in planes for patch in plane.patches])
         low = 0 if field == "speed" else low

@@ -60,6 +60,10 @@ class Scene:
     def size(self):
         return self.high - self.low
 
+    @property
+    def extent(self):
+        return self.low[0], self.high[0], self.low[1], self.high[1]
+
     def image(self, fibers, width):
         """The leaflets as an RGB image of `width` pixels on white."""
         scale = SAMPLES * width / self.size[0]

@@ -33,7 +33,7 @@ def apply():
         "lines.linewidth": 1.3, "lines.solid_capstyle": "round",
         "legend.frameon": False, "legend.handlelength": 1.6,
         "figure.dpi": 100, "savefig.dpi": 300, "savefig.facecolor": "white",
-        "svg.fonttype": "path", "pdf.fonttype": 42,
+        "svg.fonttype": "path", "svg.hashsalt": "valsalva", "pdf.fonttype": 42,
     })
 
 
@@ -54,6 +54,6 @@ def save(figure, folder, name, *formats):
     """Writes name.png and further formats; each under another name first, so that a viewer sees whole files."""
     for suffix in ("png",) + formats:
         part = folder / f".{name}.part.{suffix}"
-        figure.savefig(part)
+        figure.savefig(part, metadata={"Date": None} if suffix == "svg" else None)  # the same run, the same file
         part.replace(folder / f"{name}.{suffix}")
     plt.close(figure)

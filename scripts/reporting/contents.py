@@ -11,12 +11,13 @@ from drawing.run_output import Missing, read_table
 from . import movie, page, verdict
 
 BEAT = [  # picture, title, caption
-    ("flow_and_pressure_column.png", "Pressures and flow", "Shaded: stroke volume of the last beat. Letters: instants of "
-     "the leaflets' pictures, where there are any."),
+    ("flow_and_pressure_column.png", "Pressures and flow", "Shaded: stroke volume of the last beat. Letters: instants "
+     "of the leaflets' pictures, where there are any."),
     ("pv_loop.svg", "Pressure-volume loop", "Left ventricle, last beat; earlier beats paler."),
     ("closing_ring.svg", "The valve closes", "Flow after the end of ejection, and ten milliseconds of it."),
     ("centre_line.svg", "Pressure on the centre line", "From the ventricle (left) through the valve to the aorta."),
-    ("probes_column.png", "Probes", "Pressure at fixed heights, orifice area seen along the axis, largest strain of a fibre."),
+    ("probes_column.png", "Probes", "Pressure at fixed heights, orifice area seen along the axis, largest strain of a "
+     "fibre."),
 ]
 VALVE = [
     ("leaflets_above_column.png", "Leaflets from the aorta", "Every line is a fibre."),
@@ -29,8 +30,8 @@ PLANES = [
 SOLVER = [
     ("step_column.png", "Steps", "Length of the steps by what limited them, CFL number, iterations of the pressure "
      "solve, divergence left, wall-clock time per step."),
-    ("balances.svg", "Balances", "Volume that entered the 3D domain and did not leave it; flow through probe discs minus "
-     "the outlet's, which is what passes through or around the wall, or is stored at the moving leaflets."),
+    ("balances.svg", "Balances", "Volume that entered the 3D domain and did not leave it; flow through probe discs "
+     "minus the outlet's, which is what passes through or around the wall, or is stored at the moving leaflets."),
 ]
 
 
@@ -109,8 +110,9 @@ def _verdict(run):
     marks = {True: ("inside", "good"), False: ("outside", "off"), None: ""}
     cells = [(label, value, usual, marks[inside]) for label, value, usual, inside in rows]
     usual, others = [c for c in cells if c[2]], [c[:2] for c in cells if not c[2]]
-    return page.sentences(said, "lead") + page.grid([page.table(["last beat", "", "resting adult", ""], usual, "numbers"),
-                                                     page.table(["besides", ""], others, "numbers")])
+    tables = [page.table(["last beat", "", "resting adult", ""], usual, "numbers"),
+              page.table(["besides", ""], others, "numbers")]
+    return page.sentences(said, "lead") + page.grid(tables)
 
 
 def _movie(run):
@@ -119,7 +121,7 @@ def _movie(run):
         table = read_table(run.out / "openings.csv")
         movie.save_gif(run.out, film, run.out / "pictures" / "valve.gif")
         return page.movie_player(film, table["t_s"], main_flow(table)[1])
-    except Missing:
+    except (Missing, OSError):  # none, or one that is just being written
         return ""
 
 

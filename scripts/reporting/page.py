@@ -88,10 +88,13 @@ def movie_player(movie, t, q):
         plane = (f'<figure><img id="plane" alt="speed on the mid-plane" src="{data["plane"][movie.nearest[start]]}">'
                  '<div class="scale"></div>'
                  f'<div class="ends"><span>0</span><span>speed</span><span>{movie.fastest:.0f} cm/s</span></div>'
-                 '<figcaption>Mid-plane, flow from left to right, at <span id="plane_time"></span></figcaption></figure>')
+                 '<figcaption>Mid-plane, flow from left to right, at <span id="plane_time"></span></figcaption>'
+                 "</figure>")
     return f"""<div id="movie"><div class="views">
-<figure><img id="above" alt="leaflets from above" src="{shown["above"]}"><figcaption>From the aorta</figcaption></figure>
-<figure><img id="side" alt="leaflets from the side" src="{shown["side"]}"><figcaption>From the side</figcaption></figure>
+<figure><img id="above" alt="leaflets from above" src="{shown["above"]}">
+<figcaption>From the aorta</figcaption></figure>
+<figure><img id="side" alt="leaflets from the side" src="{shown["side"]}">
+<figcaption>From the side</figcaption></figure>
 {plane}</div>
 <svg viewBox="0 0 1000 100" preserveAspectRatio="none" role="img" aria-label="flow over time">
 <path d="M0 {zero:.1f}H1000" stroke="#ccc" fill="none" vector-effect="non-scaling-stroke"/>
@@ -99,7 +102,8 @@ def movie_player(movie, t, q):
 <path id="cursor" d="M{across[start]:.1f} 0V100" stroke="#c8443c" stroke-width="2" fill="none"
  vector-effect="non-scaling-stroke"/></svg>
 <div class="control"><button id="play" type="button">Play</button><input id="frame" type="range" min="0"
- max="{len(movie.times) - 1}" value="{start}" aria-label="frame"><output id="time">{movie.times[start]:.3f} s</output></div>
+ max="{len(movie.times) - 1}" value="{start}" aria-label="frame">
+<output id="time">{movie.times[start]:.3f} s</output></div>
 </div><script type="application/json" id="frames">{json.dumps(data)}</script>
 <script>{(HERE / "movie.js").read_text()}</script>"""
 

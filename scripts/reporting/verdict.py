@@ -44,8 +44,8 @@ def valve_sentences(out):
     gap = _gap_at_end(out)
     if has_orifice and gap is not None:
         said.append("At the end its free edges meet." if gap < SHUT_CM2 else
-                    f"At the end {gap:.2f} cm² are left between the free edges, seen from above (below them the leaflets may "
-                    "touch).")
+                    f"At the end {gap:.2f} cm² are left between the free edges, seen from above (below them the "
+                    "leaflets may touch).")
     outside = [m.label for m, v in known(beat) if (m.low is not None and v < m.low) or
                (m.high is not None and v > m.high)]
     said.append(f"Outside of what a resting adult has: {', '.join(outside)}." if outside else
@@ -80,7 +80,8 @@ def numerics_sentences(out, case):
         pass
     beat = last_beat_of_run(out)
     if beat and case.get("opening"):
-        said.append(f"Over the last beat {1e3 * beat['mass_balance_ml']:.2g} µl entered the 3D domain and did not leave it.")
+        said.append(f"Over the last beat {1e3 * beat['mass_balance_ml']:.2g} µl entered the 3D domain and did not "
+                    "leave it.")
     h = case.get("grid", {}).get("finest_cm")
     if case.get("opening") and h and h > COARSE_CM:
         said.append(f"The spacing of {h:.3f} cm is coarse: treat the valve's numbers as those of a smoke test.")

@@ -18,7 +18,7 @@ def executable():
 
 
 def look(page, width, scratch, screenshot=None, height=4000):
-    """{wide, broken, pictures, time} of `page` in a window of `width` pixels (its own frame: Chromium's windows are never narrow)."""
+    """{wide, broken, pictures, time} of `page` in a frame of `width` pixels: Chromium's windows are never narrow."""
     probed, frame = Path(scratch, "probed.html"), Path(scratch, "frame.html")
     probed.write_text(page.read_text().replace("</body>", PROBE + "</body>"))
     frame.write_text(FRAME.format(page=probed.as_uri(), width=width, height=height))

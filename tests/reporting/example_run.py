@@ -37,8 +37,8 @@ def write(out, scale=1.0, outcome="finished"):
     write_csv(out / "probes.csv", {"t_s": t, "p_z1_mmHg": p_lv, "p_z9_mmHg": p_ao, "Q_upstream_ml_s": q,
                                    "Q_valve_ml_s": q, "area_cm2": np.where(q > 0, 3.5 * q / PEAK, 0),
                                    "fibre_strain_max": 0.1 + 0 * t})
-    write_csv(out / "step.csv", {"step": np.arange(len(t)), "t_s": t, "dt_s": np.append(0, np.diff(t)), "cfl": 0.2 + 0 * t,
-                                 "iterations": 3 + 0 * t, "rms_divergence_1_s": 1e-4 + 0 * t,
+    write_csv(out / "step.csv", {"step": np.arange(len(t)), "t_s": t, "dt_s": np.append(0, np.diff(t)),
+                                 "cfl": 0.2 + 0 * t, "iterations": 3 + 0 * t, "rms_divergence_1_s": 1e-4 + 0 * t,
                                  "max_divergence_1_s": 1e-3 + 0 * t, "wall_s": 0.01 + 0 * t,
                                  "dt_bound": ["elastic"] * len(t)})
     if outcome == "finished":
@@ -52,7 +52,8 @@ def write(out, scale=1.0, outcome="finished"):
     (out / "run.json").write_text(json.dumps({"case": "made/up.toml", "outcome": outcome, "ranks": 2, "host": "here",
                                               "t_s": 0.8, "steps": 1600, "cells": 640, "nodes": 147, "wall_s": 12.5,
                                               "peak_memory_mb": 20, "written": "2026-01-01T00:00:00Z"}))
-    (out / "case.resolved.toml").write_text('title = "Made up <b>& more</b>"\n[time]\nend_s = 0.8\n[grid]\nfinest_cm = 0.1\n[fluid]\nadvection = "limited"\n'
+    (out / "case.resolved.toml").write_text('title = "Made up <b>& more</b>"\n[time]\nend_s = 0.8\n'
+                                            '[grid]\nfinest_cm = 0.1\n[fluid]\nadvection = "limited"\n'
                                             '[[opening]]\nname = "inlet"\n')
     (out / "log.txt").write_text("phase       s     %   calls   ms/call\nspread   4.00  40.0    1600     2.500\n"
                                  "output   6.00  60.0    1600     3.750\nwall    10.00 100.0\n")

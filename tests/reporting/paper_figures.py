@@ -32,7 +32,8 @@ if statements.roughness(t, smooth) > 1e-3 or statements.roughness(t, saw) < 0.1:
 with tempfile.TemporaryDirectory() as scratch:
     run, out = Path(scratch, "run"), Path(scratch, "out")
     example.write(run)
-    result = subprocess.run([root / "validation/griffith2009/figures.py", run, "-o", out], capture_output=True, text=True)
+    result = subprocess.run([root / "validation/griffith2009/figures.py", run, "-o", out], capture_output=True,
+                            text=True)
     if result.returncode != 0:
         found.append(f"exit code {result.returncode}: {result.stdout}{result.stderr}")
     page = (out / "README.md").read_text() if (out / "README.md").is_file() else ""

@@ -17,7 +17,7 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parents[1] / "scripts"), str(HERE)]
 import statements  # noqa: E402
-from drawing import centre_line, closing, leaflets, midplane, style  # noqa: E402
+from drawing import centre_line, closing, midplane, style  # noqa: E402
 from drawing.run_output import Fibers, Missing, leaflet_frames, nearest, read_series, wall_points  # noqa: E402
 from drawing.scene import VIEWS, Scene, fit_annulus  # noqa: E402
 
@@ -31,7 +31,7 @@ def figure_2(out, folder):
     figure, axes = plt.subplots(1, 2, figsize=(style.PAGE_WIDTH, 3.2))
     for panel, view, letter in zip(axes, VIEWS, "ab"):
         scene = Scene(view, [fibers], wall_points(out))
-        panel.imshow(np.asarray(scene.image(fibers, 900)), extent=(scene.low[0], scene.high[0], scene.low[1], scene.high[1]))
+        panel.imshow(np.asarray(scene.image(fibers, 900)), extent=scene.extent)
         panel.set_axis_off()
         style.letter(panel, letter)
         panel.text(0.07, 1.02, f"from the {'aorta' if view == 'above' else 'side'}", transform=panel.transAxes)

@@ -62,14 +62,16 @@ def _flow_rows(out):
     t, q = valve_flow(out)
     frequency, decay = ring(t, q, beat["closing_s"])
     return [
-        ("7", "stroke volume about 90 ml", f"{beat['stroke_volume_ml']:.1f} ml net, {beat['forward_volume_ml']:.1f} ml forward"),
+        ("7", "stroke volume about 90 ml", f"{beat['stroke_volume_ml']:.1f} ml net, "
+         f"{beat['forward_volume_ml']:.1f} ml forward"),
         ("7", "peak flow near 30 l/min", f"{0.06 * beat['peak_flow_ml_s']:.1f} l/min"),
         ("7", "backflow near 10 l/min at closure", f"{-0.06 * beat['least_flow_ml_s']:.1f} l/min, "
          f"closing volume {beat['closing_volume_ml']:.1f} ml"),
         ("7", "oscillation at closure (the second heart sound)", f"{frequency:.0f} Hz, amplitude falls by "
-         f"{decay:.0f} per second (exponent); its pitch is set by wall and valve compliance against the column of blood"),
-        ("7", "smooth when zoomed", f"least flow at {1e3 * least(t, q):.0f} ms; in the ten milliseconds around it the second "
-         f"difference between steps is {100 * roughness(t, q):.2g} % of the flow's range (rms)"),
+         f"{decay:.0f} per second (exponent); its pitch is set by wall and valve compliance against the column of "
+         "blood"),
+        ("7", "smooth when zoomed", f"least flow at {1e3 * least(t, q):.0f} ms; in the ten milliseconds around it the "
+         f"second difference between steps is {100 * roughness(t, q):.2g} % of the flow's range (rms)"),
         ("7", "no backflow while closed", f"mean {beat['mean_leak_ml_s']:.2f} ml/s after closure; in the last tenth of "
          f"the run {np.mean(q[t > t[0] + 0.9 * np.ptp(t)]):.2f} ml/s"),
         ("4", "low resistance when open", f"largest orifice {beat['max_orifice_area_cm2']:.2f} cm², mean gradient "
@@ -141,16 +143,16 @@ def _grid_rows(out):
         for box in boxes:
             inside |= np.all((places >= box[:, 0]) & (places <= box[:, 1] + 1), axis=1)
         outside, frames = outside + int(np.sum(~inside)), frames + 1
-    return [("6", "three levels, the finest covers the structure", f"{levels} level{'s' if levels > 1 else ''}; {outside} nodes "
-             f"outside of the finest in {frames} frames")]
+    return [("6", "three levels, the finest covers the structure",
+             f"{levels} level{'s' if levels > 1 else ''}; {outside} nodes outside of the finest in {frames} frames")]
 
 
 def _what_ran(out):
     resolved = (out / "case.resolved.toml").read_text()
     case, facts = tomllib.loads(resolved), json.loads((out / "run.json").read_text())
     grid, fluid = case["grid"], case["fluid"]
-    return (f"From a run of `{facts['case']}`, {facts['outcome']} {facts['written'][:10]}: finest spacing {grid['finest_cm']:g} cm, "
-            f"{grid.get('levels', 1)} level(s), convection `{fluid['advection']}`, viscosity "
+    return (f"From a run of `{facts['case']}`, {facts['outcome']} {facts['written'][:10]}: finest spacing "
+            f"{grid['finest_cm']:g} cm, {grid.get('levels', 1)} level(s), convection `{fluid['advection']}`, viscosity "
             f"`{fluid.get('viscosity_scheme', 'explicit')}`.")
 
 
