@@ -40,7 +40,7 @@ std::string describe_case(const CaseFile& c)
   }
   const double per_step = (timers.wall() - begun) / (kTrialSteps - 1);
   const double steps = end / std::min(dt, control.dt_max_s);
-  const double bytes = static_cast<double>(model.grid().finest().cell_count()) * kBytesPerCell;
+  const double bytes = static_cast<double>(model.grid().valid_cell_count()) * kBytesPerCell;
   text += fmt::format("memory     about {:.0f} MB of fields\n", bytes / 1e6);
   text += fmt::format(
       "time       {:.0f} ms per step on {} rank{}; at the step of the start ({:.1e} s) {:.0f} steps, {}; "

@@ -14,7 +14,7 @@ namespace {
 /// The root while its outlet is being pressurised, to `end_s` in steps of dt.
 std::vector<Vec3> positions(double end_s, double dt, std::vector<std::string> overrides)
 {
-  const auto root = std::filesystem::path(__FILE__).parent_path() / "../../cases/aortic_root/case.toml";
+  const auto root = std::filesystem::path(VALSALVA_SOURCE_DIR) / "cases/aortic_root/case.toml";
   overrides.insert(overrides.end(), {"grid.finest_cm=0.2083333333", "pressure.divergence_tolerance_1_s=1e-8",
                                      "time.dt_fixed_s=" + std::to_string(dt)});
   const CaseFile c = CaseFile::read(root.string(), case_keys(), overrides);

@@ -22,7 +22,7 @@ struct Root {
   }
   static CaseFile make_case(const std::vector<std::string>& more)
   {
-    const auto file = std::filesystem::path(__FILE__).parent_path() / "../../../cases/aortic_root/case.toml";
+    const auto file = std::filesystem::path(VALSALVA_SOURCE_DIR) / "cases/aortic_root/case.toml";
     std::vector<std::string> keys{"grid.finest_cm=0.2083333333",
                                   "pressure.divergence_tolerance_1_s=1e-9",
                                   "element.ventricle.time_s=[0.0, 0.002, 0.15]",

@@ -20,7 +20,7 @@ struct Outcome {
 /// `steps` steps of 1e-4 s with the ventricle's pressure rising at once, so that the valve begins to move.
 Outcome run(MPI_Comm comm, int steps)
 {
-  const auto root = std::filesystem::path(__FILE__).parent_path() / "../../../cases/aortic_root/case.toml";
+  const auto root = std::filesystem::path(VALSALVA_SOURCE_DIR) / "cases/aortic_root/case.toml";
   const CaseFile c = CaseFile::read(
       root.string(), case_keys(),
       {"grid.finest_cm=0.2083333333", "time.dt_fixed_s=1e-4", "pressure.divergence_tolerance_1_s=1e-9",
