@@ -30,7 +30,8 @@ def html(beats, table, runs, out):
     return page.page(title, "".join([
         f"<h1>{page.text(title)}</h1>",
         page.section("Numbers", page.sentences([f"The last beat of each; per cent: difference from {head[1]}."]),
-                     page.grid([page.table(head, [[f"{row[0]}, {row[1]}", *comparison.cells(row)] for row in table]),
+                     page.grid([page.table(head, [[f"{row[0]}, {row[1]}", *comparison.cells(row)] for row in table],
+                                           "side"),
                                 page.figure(out / "traces_column.svg", "Last beats",
                                             "Shifted in time so that all valves open together.")])),
         page.section("Leaflets", page.grid(leaflets)),

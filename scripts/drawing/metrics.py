@@ -38,6 +38,12 @@ def known(beat, metrics=METRICS):
     return [(m, v) for m, v in found if np.isfinite(v) and not (m.column == "max_orifice_area_cm2" and v <= 0)]
 
 
+def number(form, value):
+    """The value as `form` writes it, zero without a sign."""
+    words = form.format(value)
+    return form.format(0.0) if float(words) == 0 else words
+
+
 def last_beat_of_run(out):
     """{column: value} of the last row of beats.csv; None while there is none."""
     try:

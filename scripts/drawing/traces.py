@@ -7,7 +7,7 @@ from matplotlib.patheffects import withStroke
 
 from . import style
 from .instants import choose_frames, last_beat, main_flow
-from .metrics import known
+from .metrics import known, number
 from .run_output import Missing, columns_like, leaflet_frames, read_table
 
 
@@ -120,9 +120,9 @@ def _mark_instants(axes, out, t, q):
 def _list_beat(figure, beats):
     last = {name: values[-1] for name, values in beats.items()}
     top, step, left = 0.905, 0.0495, 0.825
-    number = int(last.get("beat", len(next(iter(beats.values())))))
-    figure.text(left, top, f"Beat {number}", fontweight="bold", va="top")
+    which = int(last.get("beat", len(next(iter(beats.values())))))
+    figure.text(left, top, f"Beat {which}", fontweight="bold", va="top")
     for row, (metric, value) in enumerate(known(last)):
         y = top - (1.25 + 1.5 * row) * step
         figure.text(left, y, metric.label, va="top", fontsize=7.5, color=style.GREY)
-        figure.text(left, y - 0.52 * step, f"{metric.form.format(value)} {metric.unit}", va="top", fontsize=8.5)
+        figure.text(left, y - 0.52 * step, f"{number(metric.form, value)} {metric.unit}", va="top", fontsize=8.5)

@@ -8,7 +8,7 @@ import numpy as np
 
 from drawing import style
 from drawing.instants import last_beat, main_flow
-from drawing.metrics import FURTHER, METRICS, beat_of_trace, ejection, known, last_beat_of_run
+from drawing.metrics import FURTHER, METRICS, beat_of_trace, ejection, known, last_beat_of_run, number
 from drawing.run_output import Missing, columns_like, read_table
 
 COLORS = ["#222222", "#c8443c", "#2f6db3", "#3a8f5c", "#c98a1b", "#8e5aa8", "#4fb0c6"]
@@ -109,7 +109,7 @@ def cells(row):
     label, _, form, values = row
     said = []
     for i, value in enumerate(values):
-        words = form.format(value + 0.0) if np.isfinite(value) else "–"
+        words = number(form, value) if np.isfinite(value) else "–"
         compares = i and label in RELATIVE and np.isfinite(value) and abs(values[0]) > 0
         said.append(words + (f" ({100 * (value / values[0] - 1):+.0f} %)" if compares else ""))
     return said

@@ -106,7 +106,7 @@ def _verdict(run):
     try:
         said, rows = verdict.valve_sentences(run.out), verdict.number_rows(run.out)
     except (Missing, KeyError) as reason:
-        return page.sentences([f"No beat to judge: {reason}."])
+        return page.sentences([f"No beat to judge so far: {reason}."])
     marks = {True: ("inside", "good"), False: ("outside", "off"), None: ""}
     cells = [(label, value, usual, marks[inside]) for label, value, usual, inside in rows]
     usual, others = [c for c in cells if c[2]], [c[:2] for c in cells if not c[2]]

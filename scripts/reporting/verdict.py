@@ -2,9 +2,10 @@
 import numpy as np
 
 from drawing.instants import main_flow
-from drawing.metrics import SHUT_CM2, METRICS, FURTHER, beat_of_trace, known, last_beat_of_run
+from drawing.metrics import SHUT_CM2, METRICS, FURTHER, beat_of_trace, known, last_beat_of_run, number
 from drawing.run_output import Missing, columns_like, read_table
 
+LEAST_ML = 1.0    # forward flow of less is no ejection
 COARSE_CM = 0.11  # the valve's numbers still change by a tenth and more on finer grids than this
 
 
@@ -27,13 +28,15 @@ def number_rows(out):
             usual, inside = f"{metric.low:g}–{metric.high:g}", metric.low <= value <= metric.high
         elif metric.high is not None:
             usual, inside = f"up to {metric.high:g}", value <= metric.high
-        rows.append((metric.label, f"{metric.form.format(value)} {metric.unit}", usual, inside))
+        rows.append((metric.label, f"{number(metric.form, value)} {metric.unit}", usual, inside))
     return rows
 
 
 def valve_sentences(out):
     """What the valve did in the last beat."""
     beat = beat_of_run(out)
+    if beat["forward_volume_ml"] < LEAST_ML:
+        raise Missing("the valve has not let any blood pass yet")
     has_orifice = beat.get("max_orifice_area_cm2", 0) > 0
     opened = f" to {beat['max_orifice_area_cm2']:.1f} cm²" if has_orifice else ""
     said = [f"The valve opened at {beat['opening_s']:.3f} s{opened} and let {beat['forward_volume_ml']:.1f} ml pass in "
