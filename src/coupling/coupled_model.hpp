@@ -1,8 +1,7 @@
 // The 3D root and the 0D circulation as one model, stepped together; u, X and the network's states are all at
 // t^n between steps. Schemes (key coupling.scheme):
-//   implicit  the network's answer to the flow at the end of the step closes the step: second order, no
-//   stability limit explicit  pressures from the flow at t^n: first order, for comparison; stable while dt <
-//   dt*
+//   implicit  the network's answer to the flow at the end of the step closes the step: second order, no stability limit
+//   explicit  pressures from the flow at t^n: first order, for comparison; stable while dt < dt*
 #pragma once
 
 #include <optional>

@@ -180,6 +180,7 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
     record.outcome = outcome;
     record.t_s = coupled.t();
     record.steps = coupled.step();
+    record.cells = model.grid().valid_cell_count();
     record.wall_s = wall_before + timers.wall();
     write_run_record(options.out_dir, record, comm);
   };

@@ -11,6 +11,11 @@ namespace valsalva::coupling {
 
 namespace {
 
+double h_from_case(const CaseFile& c)
+{
+  return c.section("grid").real("finest_cm");
+}
+
 ib3d::FluidParameters fluid_from_case(const CaseFile& c)
 {
   const CaseTable& t = c.section("fluid");
@@ -111,8 +116,28 @@ ib3d::RefinementPolicy refinement_from_case(const CaseFile& c)
   ib3d::RefinementPolicy policy{
       t.integer("levels"), t.integer("margin_cells"), t.flag("lumen"), t.real("vorticity_1_s"), {}};
   const auto corner = [](const std::vector<double>& x) { return Vec3{x[0], x[1], x[2]}; };
-  for (const CaseTable& r : c.tables("refine"))
+  if (policy.vorticity > 0 && policy.levels == 1)
+    throw CaseError({t.problem("vorticity_1_s", "refines, but grid.levels is 1; use more levels")});
+  for (const CaseTable& r : c.tables("refine")) {
+    if (r.integer("level") >= policy.levels)
+      throw CaseError(
+          {r.problem("level", fmt::format("is {}, but grid.levels = {} ends with level {}",
+                                          r.integer("level"), policy.levels, policy.levels - 1))});
+    for (std::size_t d = 0; d < 3; ++d)
+      if (r.reals("lo_cm")[d] >= r.reals("hi_cm")[d])
+        throw CaseError({r.problem("lo_cm", "must lie below hi_cm in every direction")});
     policy.regions.push_back({corner(r.reals("lo_cm")), corner(r.reals("hi_cm")), r.integer("level")});
+  }
+  // Discs lie inside the finest level with two coarse cells to spare (else their shape would change at a regrid).
+  const double margin = 4 * h_from_case(c);
+  for (const ib3d::Opening& o : openings_from_case(c, domain_from_case(c))) {
+    const double z = o.side == 4 ? 0 : c.section("domain").reals("size_cm")[2] - margin;
+    const Vec3 reach{o.radius + margin, o.radius + margin, 0};
+    ib3d::RefinedRegion disc{o.center - reach, o.center + reach, policy.levels - 1};
+    disc.lo[2] = z;
+    disc.hi[2] = z + margin;
+    if (policy.levels > 1) policy.regions.push_back(disc);
+  }
   return policy;
 }
 
@@ -168,15 +193,6 @@ Structure structure_from_case(const CaseFile& c, const ib3d::Domain& domain, dou
   check_inside(c, structure.network, domain, h);
   return structure;
 }
-
-namespace {
-
-double h_from_case(const CaseFile& c)
-{
-  return c.section("grid").real("finest_cm");
-}
-
-}  // namespace
 
 CaseModel::CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers)
     : circulation_(network_from_case(c)),

@@ -1,9 +1,12 @@
 #include "ib3d/root_solver.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "common/error.hpp"
 #include "ib3d/fluid/vorticity.hpp"
 #include "ib3d/grid/field_checkpoint.hpp"
 #include "ib3d/structure/fiber_force.hpp"
@@ -21,13 +24,14 @@ RootSolver::RootSolver(const Hierarchy& grid, std::vector<Opening> openings, con
                        Timers& timers, RefinementPolicy refinement)
     : scheme_(scheme),
       timers_(timers),
-      refinement_(std::move(refinement)),
+      policy_(std::move(refinement)),
       fluid_(std::make_unique<NavierStokes>(grid, std::move(openings), fluid, pressure)),
       nodes_(std::move(structure), grid.finest()),
       interaction_(grid.finest()),
       elastic_(grid.finest(), fluid.density),
       f_(grid.finest()),
       X_(nodes_.part().network.X),
+      X_of_cuts_(nodes_.whole().X),
       X_of_grid_(nodes_.whole().X)
 {
 }
@@ -86,6 +90,7 @@ void RootSolver::accept(const std::vector<double>& phi)
       X_[n] += dt_ * U_[n];
       fastest = std::max({fastest, std::abs(U_[n][0]), std::abs(U_[n][1]), std::abs(U_[n][2])});
     }
+    moved_before_cells_ = moved_cells_;
     moved_cells_ += dt_ * fastest / fluid_->grid().finest().h;
     nodes_.fill_copies(X_);
   }
@@ -98,8 +103,10 @@ void RootSolver::check_and_redistribute()
   double state[3] = {fluid_->courant_rate(), nodes_.has_strays(X_) ? 1.0 : 0.0, moved_cells_};
   MPI_Allreduce(MPI_IN_PLACE, state, 3, MPI_DOUBLE, MPI_MAX, fluid_->grid().comm());
   courant_rate_ = state[0];
-  moved_cells_ = refinement_.vorticity > 0 ? state[2] + dt_ * courant_rate_ : state[2];
-  if (refinement_.levels > 1 && moved_cells_ > refinement_.margin_cells - 0.5) regrid_if_moved();
+  if (!std::isfinite(courant_rate_)) return;  // the step has blown up: CoupledModel says so
+  moved_cells_ =
+      policy_.vorticity > 0 ? std::max(state[2], moved_before_cells_ + dt_ * courant_rate_) : state[2];
+  if (policy_.levels > 1 && moved_cells_ > policy_.margin_cells - 0.5) regrid_if_moved();
   if (state[1] == 0) return;
   X_ = nodes_.redistribute(X_);
   elastic_.restart();
@@ -109,16 +116,16 @@ void RootSolver::regrid_if_moved()
 {
   const std::vector<Vec3> X = nodes_.gather(X_);
   const Hierarchy& grid = fluid_->grid();
-  if (refinement_.vorticity == 0) {  // what the nodes have really moved
+  if (policy_.vorticity == 0) {  // what the nodes have really moved
     double furthest = 0;
     for (std::size_t n = 0; n < X.size(); ++n)
       for (int d = 0; d < 3; ++d) furthest = std::max(furthest, std::abs(X[n][d] - X_of_grid_[n][d]));
     moved_cells_ = furthest / grid.finest().h;
-    if (moved_cells_ < refinement_.margin_cells - 1) return;
+    if (moved_cells_ < policy_.margin_cells - 1) return;
   }
   std::vector<RefinedRegion> vortical;
-  if (refinement_.vorticity > 0) vortical = vortical_blocks(grid, fluid_->u(), refinement_.vorticity);
-  const Refinement boxes = refine(grid.domain(), grid.finest().h, refinement_, X, vortical);
+  if (policy_.vorticity > 0) vortical = vortical_blocks(grid, fluid_->u(), policy_.vorticity);
+  const Refinement boxes = refine(grid.domain(), grid.finest().h, policy_, X, vortical);
   moved_cells_ = 0;
   if (boxes == grid.refinement())
     X_of_grid_ = X;  // the same grid serves
@@ -137,7 +144,7 @@ void RootSolver::rebuild(const Refinement& boxes, const std::vector<Vec3>& X)
   steps_since_elastic_ = 0;
   f_ = MacField(grid.finest());
   X_ = nodes_.part().network.X;
-  X_of_grid_ = X;
+  X_of_cuts_ = X_of_grid_ = X;
 }
 
 double RootSolver::elastic_rate()
@@ -149,14 +156,16 @@ double RootSolver::elastic_rate()
 
 void RootSolver::save_or_restore(Checkpoint& c)
 {
-  std::vector<Vec3> X = X_of_grid_;
+  std::vector<Vec3> X = X_of_cuts_;
   Refinement boxes = fluid_->grid().refinement();
-  c("grid/made_for_X", X);
-  c("grid/moved_cells", moved_cells_);
+  c("grid/cut_for_X", X);
+  if (X.size() != X_of_cuts_.size())
+    throw IoError(fmt::format("{}: {} nodes, but the case builds {}", c.path(), X.size(), X_of_cuts_.size()));
   ib3d::save_or_restore(c, "grid", boxes);
-  if (c.reading() && (boxes != fluid_->grid().refinement() ||
-                      std::memcmp(X.data(), X_of_grid_.data(), X.size() * sizeof(Vec3)) != 0))
-    rebuild(boxes, X);
+  const bool as_built = std::memcmp(X.data(), X_of_cuts_.data(), X.size() * sizeof(Vec3)) == 0;
+  if (c.reading() && (!as_built || boxes != fluid_->grid().refinement())) rebuild(boxes, X);
+  c("grid/fits_X", X_of_grid_);
+  c("grid/moved_cells", moved_cells_);
   fluid_->save_or_restore(c);
   nodes_.save_or_restore(c);
   nodes_.save_or_restore(c, "structure/X", X_);

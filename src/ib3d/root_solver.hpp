@@ -23,7 +23,7 @@ enum class StructureScheme { leapfrog, midpoint };
 
 class RootSolver {
  public:
-  /// `refinement` says when and how the grid follows the structure and the flow. Throws CaseError when a node lies
+  /// `refinement` says when and how the grid follows the structure and the flow. Throws SolverError when a node lies
   /// outside the domain.
   RootSolver(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
              const PressureOptions& pressure, FiberNetwork structure, StructureScheme scheme, Timers& timers,
@@ -54,7 +54,7 @@ class RootSolver {
 
   StructureScheme scheme_;
   Timers& timers_;
-  RefinementPolicy refinement_;
+  RefinementPolicy policy_;
   std::unique_ptr<NavierStokes> fluid_;
   NodeOwner nodes_;
   Interaction interaction_;
@@ -62,8 +62,10 @@ class RootSolver {
   MacField f_;
   std::vector<Vec3> X_, X_middle_, U_, U_before_, F_;
   double dt_ = 0, courant_rate_ = 0;
-  std::vector<Vec3> X_of_grid_;  ///< all nodes where the present grid was made for them
+  std::vector<Vec3> X_of_cuts_;  ///< all nodes where the ranks' regions were chosen
+  std::vector<Vec3> X_of_grid_;  ///< all nodes where the grid was last found to fit them
   double moved_cells_ = 0;       ///< bound of how far anything tagged has moved since
+  double moved_before_cells_ = 0;
   int steps_since_elastic_ = 0;
 };
 

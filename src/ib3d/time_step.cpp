@@ -11,7 +11,8 @@ double ElasticBound::update(const NodeOwner& nodes, const Interaction& interacti
 {
   if (nodes.whole().node_count() == 0) return 0;
   const FiberPart& part = nodes.part();
-  if (v_.size() != X.size()) {
+  if (!started_) {
+    started_ = true;
     // Deterministic, rough, and the same whatever the number of ranks.
     v_.resize(X.size());
     for (std::size_t i = 0; i < v_.size(); ++i) {
@@ -44,10 +45,10 @@ double ElasticBound::update(const NodeOwner& nodes, const Interaction& interacti
 void ElasticBound::save_or_restore(Checkpoint& c, const NodeOwner& nodes)
 {
   c("structure/omega", omega_);
-  int started = v_.empty() ? 0 : 1;
-  MPI_Allreduce(MPI_IN_PLACE, &started, 1, MPI_INT, MPI_MAX, level_.comm);
+  int started = started_ ? 1 : 0;
   c("structure/eigenvector_started", started);
-  if (started)
+  started_ = started != 0;
+  if (started_)
     nodes.save_or_restore(c, "structure/eigenvector", v_);
   else
     restart();

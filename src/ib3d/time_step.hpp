@@ -1,9 +1,8 @@
 // The largest stable step: dt = min(CFL, elastic, viscous bound); coupled_model.cpp adds growth and output times.
 //   CFL      dt <= C h / max(|u| + |v| + |w|)
-//   elastic  the structure is explicit, so dt < 2/omega_max, omega_max^2 the largest eigenvalue of (1/rho) J
-//   S K at the
-//            present configuration (K = -dF/dX the structure's stiffness); found by power iteration,
-//            warm-started, and an upper bound since the projection, which can only lower it, is left out
+//   elastic  the structure is explicit, so dt < 2/omega_max, omega_max^2 the largest eigenvalue of (1/rho) J S K at the
+//            present configuration (K = -dF/dX the structure's stiffness); found by power iteration, warm-started, and
+//            an upper bound since the projection, which can only lower it, is left out
 // Slack tension-only springs count as taut: valve leaflets go slack as they open and snap taut within a few steps.
 #pragma once
 
@@ -40,7 +39,7 @@ class ElasticBound {
   double omega() const { return omega_; }
   /// Forgets the eigenvector: call after nodes have changed ranks (the estimate of omega is kept until the
   /// next update).
-  void restart() { v_.clear(); }
+  void restart() { started_ = false; }
   void save_or_restore(Checkpoint& c, const NodeOwner& nodes);
 
  private:
@@ -48,6 +47,7 @@ class ElasticBound {
   double density_;
   MacField f_;
   std::vector<Vec3> v_, stiff_;
+  bool started_ = false;  ///< the same on all ranks
   double omega_ = 0;
 };
 

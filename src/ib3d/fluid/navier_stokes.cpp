@@ -184,7 +184,8 @@ std::vector<double> NavierStokes::solve_pressure(const std::vector<double>& open
   prescribe(opening_pressure);
   if (viscous_) diffuse();
   const double source = fluid_.density / dt_;
-  report_ = solver_.solve(p_, p_b_, &u_new_, source, solver_.options().divergence_tolerance * source);
+  report_ = solver_.solve(p_, p_b_, &u_new_, source, solver_.options().divergence_tolerance * source,
+                          solver_.options().max_iterations);
   return opening_faces_.flow_of([&](const OpeningFaces::Face& f) {
     const auto l = static_cast<std::size_t>(f.level);
     const Array3<double>& p = p_[l][f.patch];

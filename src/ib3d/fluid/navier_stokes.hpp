@@ -26,6 +26,9 @@ class NavierStokes {
   /// The same flow on another hierarchy (a regrid): fields and history are carried over.
   NavierStokes(const Hierarchy& grid, const NavierStokes& before);
 
+  NavierStokes(const NavierStokes&) = delete;  // its members refer to each other
+  NavierStokes& operator=(const NavierStokes&) = delete;
+
   /// u* from u^n; f in dyn/cm^3 on the faces of the finest level, complete on the owned ones; none on the others.
   void begin_step(const MacField& f, double dt);
   /// The same with a force on all levels.

@@ -8,6 +8,8 @@ namespace valsalva::ib3d {
 
 namespace {
 
+constexpr int kIterations = 200;  // to ten digits from nothing; a step needs about three
+
 /// p_b = 1 on the disc of an opening, 0 elsewhere.
 std::vector<BoundaryPressure> indicator(const CompositePressure& problem,
                                         const std::vector<OpeningFaces::Face>& disc)
@@ -28,7 +30,7 @@ OpeningModes::OpeningModes(const OpeningFaces& openings, PressureSolver& solver,
         indicator(solver.problem(), openings.of(static_cast<std::size_t>(k)));
     CompositeCells<double>& psi = psi_.emplace_back(composite_cells<double>(grid));
     const double largest_gradient = 1 / std::pow(grid.finest().h, 2);
-    solver.solve(psi, p_b, nullptr, 0, 1e-10 * largest_gradient);
+    solver.solve(psi, p_b, nullptr, 0, 1e-10 * largest_gradient, kIterations);
     const std::vector<double> flux = openings.flow_of([&](const OpeningFaces::Face& f) {
       const Array3<double>& a = psi[static_cast<std::size_t>(f.level)][f.patch];
       return (a(f.i, f.j, f.k) - a(f.i, f.j, f.k - 1)) / grid.level(f.level).h;

@@ -18,7 +18,7 @@ class OpeningModes {
   /// Solves for all psi_k. Collective.
   OpeningModes(const OpeningFaces& openings, PressureSolver& solver, double density);
 
-  /// W, openings x openings, in cm^4/g x cm (ml/s per s per dyn/cm^2). Singular when walls close the rest.
+  /// W, openings x openings, in cm^4/g (ml/s per s per dyn/cm^2). Singular when walls close the rest.
   const Eigen::MatrixXd& conductance() const { return conductance_; }
   /// p += sum_k phi_k psi_k, ghosts included. phi in dyn/cm^2.
   void add(const std::vector<double>& phi, CompositeCells<double>& p) const;

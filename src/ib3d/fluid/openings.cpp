@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/error.hpp"
+
 namespace valsalva::ib3d {
 
 template <class T>
@@ -105,6 +107,12 @@ OpeningFaces::OpeningFaces(const Hierarchy& grid, const std::vector<Opening>& op
     area_.push_back(area);
   }
   MPI_Allreduce(MPI_IN_PLACE, area_.data(), static_cast<int>(area_.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  for (std::size_t m = 0; m < area_.size(); ++m)
+    if (area_[m] == 0)
+      throw CaseError("opening.radius_cm",
+                      "of \"" + openings[m].name +
+                          "\" is so small that no face of the grid lies in the disc; use a larger "
+                          "radius or a finer grid");
 }
 
 }  // namespace valsalva::ib3d

@@ -23,8 +23,8 @@ class PressureInterface {
   template <class T>
   void fill_ghosts(CellField<T>& fine) const;
 
-  /// Calls f(coarse patch, cell, step, sum) for each coarse cell outside the edge: `step` is the distance in memory
-  /// to its covered neighbour and `sum` the sum of (ghost - p1) over the four fine faces between. Collective.
+  /// Calls f(coarse patch, cell, side, sum) for each coarse cell outside the edge: `side` is that of the fine patch, so
+  /// that the covered neighbour lies against its direction, and `sum` the sum of (ghost - p1) over the four fine faces between. Collective.
   template <class T, class F>
   void for_each_flux(const CellField<T>& fine, F&& f);
 

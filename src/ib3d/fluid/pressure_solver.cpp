@@ -25,11 +25,12 @@ PressureSolver::PressureSolver(const Hierarchy& grid, const std::vector<Opening>
 }
 
 KrylovReport PressureSolver::solve(CompositeCells<double>& p, const std::vector<BoundaryPressure>& p_b,
-                                   const CompositeMac* u, double source, double tolerance_rms)
+                                   const CompositeMac* u, double source, double tolerance_rms,
+                                   int max_iterations)
 {
   const KrylovReport report = krylov_->solve(
       p, [&](CompositeCells<float>& r) { problem_.residual(p, p_b, u, source, r); }, tolerance_rms,
-      options_.max_iterations);
+      max_iterations);
   problem_.fill_ghosts(p, p_b);
   return report;
 }

@@ -26,7 +26,7 @@ class PressureSolver {
   /// Improves p until rms(lap p - source div u) <= tolerance_rms on the valid cells, with the boundary pressures p_b;
   /// u may be null. Leaves the ghosts of p filled. Collective.
   KrylovReport solve(CompositeCells<double>& p, const std::vector<BoundaryPressure>& p_b,
-                     const CompositeMac* u, double source, double tolerance_rms);
+                     const CompositeMac* u, double source, double tolerance_rms, int max_iterations);
   const PressureOptions& options() const { return options_; }
 
  private:

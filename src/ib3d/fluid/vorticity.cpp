@@ -1,5 +1,6 @@
 #include "ib3d/fluid/vorticity.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <set>
 
@@ -43,11 +44,17 @@ std::vector<RefinedRegion> vortical_blocks(const Hierarchy& grid, const Composit
     const Level& level = grid.level(l);
     const double limit = threshold * threshold * level.h * level.h;
     std::set<Int3> blocks;
-    for (int p = 0; p < level.local_count(); ++p)
-      for_each_index(level.local_box(p), [&](int i, int j, int k) {
-        if (squared_curl(u[static_cast<std::size_t>(l)], p, i, j, k) > limit)
-          blocks.insert({i / kBlock, j / kBlock, k / kBlock});
+    for (int p = 0; p < level.local_count(); ++p) {
+      IndexBox corners = level.local_box(p);  // those at the high walls too
+      for (std::size_t d = 0; d < 3; ++d)
+        corners.hi[d] += level.at_side(level.local_box(p), static_cast<int>(2 * d + 1)) ? 1 : 0;
+      for_each_index(corners, [&](int i, int j, int k) {
+        if (squared_curl(u[static_cast<std::size_t>(l)], p, i, j, k) <= limit) return;
+        Int3 block{i, j, k};
+        for (std::size_t d = 0; d < 3; ++d) block[d] = std::min(block[d], level.box.hi[d] - 1) / kBlock;
+        blocks.insert(block);
       });
+    }
     std::vector<int> mine;
     for (const Int3& b : blocks) mine.insert(mine.end(), b.begin(), b.end());
     const std::vector<int> all = gathered(mine, grid.comm());

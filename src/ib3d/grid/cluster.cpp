@@ -95,7 +95,7 @@ IndexBox shrunk(const Tiles& tags, IndexBox box, int& count)
   return box;
 }
 
-/// Where to cut a box: direction and first index of the upper part; hi[d] == cut at none.
+/// Where to cut a box: direction (-1: nowhere) and first index of the upper part.
 struct Cut {
   int d = -1, at = 0;
 };

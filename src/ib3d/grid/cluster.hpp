@@ -19,7 +19,7 @@ class Tiles {
   void set(int i, int j, int k) { tag_[index(i, j, k)] = 1; }
   /// Tags the tiles that hold cells of this box, as far as they lie in the domain; periodic images too.
   void add(const IndexBox& cells, const Domain& domain);
-  /// Tags, in every layer of tiles across z, what the tags there enclose (joined by faces).
+  /// Tags, in every layer of tiles across z, what the tags there enclose (joined by faces); not across periodic sides.
   void fill_enclosed();
 
  private:

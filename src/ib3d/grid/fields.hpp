@@ -1,8 +1,7 @@
 // Fields on one level: contiguous storage per local patch, ghosts included, i fastest.
 //   Array3      one scalar on the indices of a stored box
 //   CellField   one scalar per cell: pressure (dyn/cm^2), divergence (1/s), ...
-//   MacField    one vector component per face: velocity (cm/s) or force density (dyn/cm^3); component d sits
-//   on
+//   MacField    one vector component per face: velocity (cm/s) or force density (dyn/cm^3); component d sits on
 //               the faces normal to d, face index i being the low face of cell i
 // All arrays of a patch have the same shape (the box grown by the ghosts, one more at the high end), so that
 // one linear index serves the three components and the cells in the kernels. Ghosts are valid only after they

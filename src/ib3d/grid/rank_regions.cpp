@@ -12,7 +12,7 @@ namespace valsalva::ib3d {
 
 namespace {
 
-/// A box of the grid in cm, with the cells per cm of length along each direction folded into `work`.
+/// A box of the grid in cm, and its cells.
 struct Block {
   Vec3 lo, hi;
   double work;

@@ -26,7 +26,7 @@ class RankRegions {
     int region;
   };
 
-  /// Divides the union of the finest boxes into `count` regions of equal work. Throws CaseError("grid.finest_cm")
+  /// Divides space into `count` regions with equal shares of the work on all levels. Throws CaseError("grid.finest_cm")
   /// when it is too small for that.
   RankRegions(const std::vector<LevelBoxes>& levels, const std::vector<Vec3>& nodes, int count);
 

@@ -15,7 +15,7 @@ inline constexpr int kSupportCells = 3;
 
 struct RefinedRegion {
   Vec3 lo{}, hi{};  ///< cm
-  int level = 1;    ///< at least
+  int level = 1;    ///< the level that covers it, and with it all coarser ones
 };
 
 struct RefinementPolicy {

@@ -46,9 +46,7 @@ NodeOwner::NodeOwner(FiberNetwork whole, const Level& level) : whole_(std::move(
 void NodeOwner::distribute(const std::vector<Vec3>& X_global)
 {
   const int rank = rank_of(level_.comm);
-  std::vector<int> local_patch(level_.patches.size(), -1);
-  for (int p = 0; p < level_.local_count(); ++p)
-    local_patch[static_cast<std::size_t>(level_.local[static_cast<std::size_t>(p)])] = p;
+  const std::vector<int> local_patch = level_.local_numbers();
 
   struct Home {
     int patch;
@@ -62,6 +60,9 @@ void NodeOwner::distribute(const std::vector<Vec3>& X_global)
     const Int3 c = cell_under(level_, X_global[n]);
     const auto patch = std::find_if(level_.patches.begin(), level_.patches.end(),
                                     [&](const Patch& p) { return p.box.contains(c); });
+    if (patch == level_.patches.end())
+      throw SolverError(
+          fmt::format("node {} has left the finest level of the grid; use a larger grid.margin_cells", n));
     owner[n] = patch->owner;
     if (patch->owner == rank) {
       const long cell = c[0] + level_.box.size(0) * (c[1] + static_cast<long>(level_.box.size(1)) * c[2]);

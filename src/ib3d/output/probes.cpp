@@ -72,7 +72,7 @@ double flow_through_disc(const Hierarchy& grid, const CompositeMac& u, double x,
   double flow = 0;
   for (int l = 0; l < grid.level_count(); ++l) {
     const Level& level = grid.level(l);
-    const int k = static_cast<int>(std::lround(z / level.h));
+    const int k = static_cast<int>(std::lround(z / grid.level(0).h)) << l;  // the same plane on all levels
     for (int q = 0; q < level.local_count(); ++q) {
       const IndexBox& box = level.local_box(q);
       const bool last = k == level.box.hi[2] && k == box.hi[2];

@@ -14,7 +14,7 @@ std::vector<double> pressure_at(const Hierarchy& grid, const CompositeCells<doub
                                 const std::vector<double>& z);
 
 /// Volume flow (ml/s, towards +z) through the disc of radius r (cm) about (x, y) in the plane of faces
-/// nearest to z.
+/// of the coarsest level nearest to z.
 double flow_through_disc(const Hierarchy& grid, const CompositeMac& u, double x, double y, double z,
                          double r);
 

@@ -53,7 +53,7 @@ Solution solution(const Hierarchy& grid, const std::string& name, double toleran
   CompositeMac u = rough_faces(grid);
   for (std::size_t l = u.size() - 1; l > 0; --l) transfers[l - 1].average_down(u[l], u[l - 1]);
   Solution s{composite_cells<double>(grid), {}};
-  s.report = solver.solve(s.p, solver.problem().zero_boundary_pressure(), &u, 1.0, tolerance);
+  s.report = solver.solve(s.p, solver.problem().zero_boundary_pressure(), &u, 1.0, tolerance, 100);
   return s;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ib3d/fluid/tube.hpp"
+#include "ib3d/output/mpi_session.hpp"
 #include "ib3d/output/probes.hpp"
 #include "ib3d/root_solver.hpp"
 
@@ -52,6 +53,7 @@ struct RingFlow {
   void advance(int steps, double dt, double p_in)
   {
     for (int step = 0; step < steps; ++step) {
+      root->elastic_rate();  // also where a rank has no nodes
       root->begin_step(dt);
       root->solve_fluid({p_in, 0});
       root->accept({0, 0});
@@ -154,6 +156,25 @@ TEST(Levels, GridFollowsTheStructure)
   }
   EXPECT_GT(highest, 2.0);
   EXPECT_LT(run.root->fluid().divergence_rms(), 1e-9);
+}
+
+TEST(Levels, ARunContinuedAfterARegridRepeatsItToTheBit)
+{
+  const std::string path = shared_file("regrid.h5");
+  RingFlow whole(2, 0), second(2, 0);
+  whole.advance(90, 1e-3, 400);
+  const Refinement boxes = whole.root->fluid().grid().refinement();
+  EXPECT_NE(boxes, second.root->fluid().grid().refinement());
+  Checkpoint out = Checkpoint::create(path, MPI_COMM_WORLD);
+  whole.root->save_or_restore(out);
+  out.close();
+  Checkpoint in = Checkpoint::open(path, MPI_COMM_WORLD);
+  second.root->save_or_restore(in);
+  EXPECT_EQ(boxes, second.root->fluid().grid().refinement());
+  for (RingFlow* run : {&whole, &second}) run->advance(30, 1e-3, 400);
+  const std::vector<Vec3> a = whole.X(), b = second.X();
+  for (std::size_t n = 0; n < a.size(); ++n)
+    for (int d = 0; d < 3; ++d) EXPECT_EQ(a[n][d], b[n][d]);
 }
 
 TEST(Levels, BoxesAndRanksAreNotNoticed)
