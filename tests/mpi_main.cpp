@@ -2,6 +2,7 @@
 // its own failures, and the program fails on all ranks if a test failed on one.
 #include <gtest/gtest.h>
 #include <mpi.h>
+#include <cstdlib>
 
 #include <cstdio>
 #include <memory>
@@ -28,6 +29,7 @@ class FailuresOnly : public ::testing::EmptyTestEventListener {
 
 int main(int argc, char** argv)
 {
+  setenv("OMPI_MCA_sharedfp", "^sm", 0);  // as the program does
   MPI_Init(&argc, &argv);
   ::testing::InitGoogleTest(&argc, argv);
   int rank = 0;
