@@ -2,10 +2,11 @@
 // its own failures, and the program fails on all ranks if a test failed on one.
 #include <gtest/gtest.h>
 #include <mpi.h>
-#include <cstdlib>
 
 #include <cstdio>
 #include <memory>
+
+#include "common/comm.hpp"
 
 namespace {
 
@@ -29,8 +30,7 @@ class FailuresOnly : public ::testing::EmptyTestEventListener {
 
 int main(int argc, char** argv)
 {
-  setenv("OMPI_MCA_sharedfp", "^sm", 0);  // as the program does
-  MPI_Init(&argc, &argv);
+  valsalva::common::start_mpi(&argc, &argv);
   ::testing::InitGoogleTest(&argc, argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

@@ -1,9 +1,12 @@
 """centre_line: pressure along the vessel's axis at four instants: closed, opening, peak flow, closed again."""
+import itertools
+
 import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 
 from . import style
+from .fields import boxes_of, middle_of, values
 from .instants import choose_frames
 from .midplane import structure_and_axis
 from .run_output import Fibers, read_series
@@ -17,23 +20,16 @@ def read_line(path, axis=None):
     """(z, pressure): the mean of the cells around the axis (x, y), from the finest level that is there."""
     z, p = np.zeros(0), np.zeros(0)
     with h5py.File(path, "r") as file:
-        root = file["VTKHDF"]
-        origin = root.attrs["Origin"]
-        for name in sorted((k for k in root if k.startswith("Level")), key=lambda k: int(k[5:])):
-            level = root[name]
-            h = level.attrs["Spacing"][0]
-            boxes = level["AMRBox"][:].reshape(-1, 3, 2)
-            if axis is None:
-                axis = origin[:2] + 0.5 * h * (boxes[:, :2, 1].max(axis=0) + 1)
-            near = [[int(np.floor((axis[d] - origin[d]) / h + shift)) for shift in (-1e-6, 1e-6)] for d in (0, 1)]
-            sums, counts, first = {}, {}, 0
+        origin = file["VTKHDF"].attrs["Origin"]
+        axis = middle_of(file) if axis is None else axis
+        for _, boxes in itertools.groupby(boxes_of(file), key=lambda box: box.level):
+            sums, counts = {}, {}
             for box in boxes:
-                n = box[:, 1] - box[:, 0] + 1
-                values = level["CellData/pressure_mmHg"][first:first + int(np.prod(n))].reshape(n[2], n[1], n[0])
-                first += int(np.prod(n))
+                h, pressure = box.h, values(box, "pressure_mmHg")
+                near = [[int(np.floor((axis[d] - origin[d]) / h + shift)) for shift in (-1e-6, 1e-6)] for d in (0, 1)]
                 for i, j in {(i, j) for i in near[0] for j in near[1]}:
-                    if box[0, 0] <= i <= box[0, 1] and box[1, 0] <= j <= box[1, 1]:
-                        for k, value in enumerate(values[:, j - box[1, 0], i - box[0, 0]], start=box[2, 0]):
+                    if box.lo[0] <= i <= box.hi[0] and box.lo[1] <= j <= box.hi[1]:
+                        for k, value in enumerate(pressure[:, j - box.lo[1], i - box.lo[0]], start=box.lo[2]):
                             sums[k], counts[k] = sums.get(k, 0) + value, counts.get(k, 0) + 1
             here = np.array(sorted(sums), dtype=int)
             fine = origin[2] + (here + 0.5) * h

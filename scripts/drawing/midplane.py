@@ -11,6 +11,7 @@ from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from . import style
+from .fields import boxes_of, middle_of, values
 from .instants import choose_frames
 from .scene import fit_annulus
 from .run_output import Fibers, Missing, leaflet_frames, nearest, read_series, wall_points
@@ -30,26 +31,14 @@ def read_plane(path, y=None):
     """
     patches = []
     with h5py.File(path, "r") as file:
-        root = file["VTKHDF"]
-        origin = root.attrs["Origin"]
-        for name in sorted((k for k in root if k.startswith("Level")), key=lambda k: int(k[5:])):
-            level = root[name]
-            h = level.attrs["Spacing"][0]
-            boxes = level["AMRBox"][:].reshape(-1, 3, 2)
-            if y is None:
-                y = origin[1] + 0.5 * h * (boxes[:, 1, 1].max() + 1)
-            row = int(np.floor((y - origin[1]) / h - 1e-9))
-            first = 0
-            for box in boxes:
-                n = box[:, 1] - box[:, 0] + 1
-                last = first + int(np.prod(n))
-                if box[1, 0] <= row <= box[1, 1]:
-                    shape, j = (n[2], n[1], n[0]), row - box[1, 0]
-                    p = level["CellData/pressure_mmHg"][first:last].reshape(shape)[:, j]
-                    u = level["CellData/velocity_cm_s"][first:last].reshape(*shape, 3)[:, j]
-                    x, z = (origin[d] + h * np.array([box[d, 0], box[d, 1] + 1]) for d in (0, 2))
-                    patches.append(Patch(int(name[5:]), h, z, x, p.T, np.linalg.norm(u, axis=2).T))
-                first = last
+        origin = file["VTKHDF"].attrs["Origin"]
+        y = middle_of(file)[1] if y is None else y
+        for box in boxes_of(file):
+            row = int(np.floor((y - origin[1]) / box.h - 1e-9))
+            if box.lo[1] <= row <= box.hi[1]:
+                p, u = (values(box, name)[:, row - box.lo[1]] for name in ("pressure_mmHg", "velocity_cm_s"))
+                x, z = (origin[d] + box.h * np.array([box.lo[d], box.hi[d] + 1]) for d in (0, 2))
+                patches.append(Patch(box.level, box.h, z, x, p.T, np.linalg.norm(u, axis=2).T))
     return patches, y
 
 

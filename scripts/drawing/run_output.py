@@ -33,6 +33,14 @@ def read_table(path):
     return table
 
 
+def phase_times(out):
+    """[(phase, seconds, share in %)] from the table at the end of log.txt; empty while there is none."""
+    path = Path(out) / "log.txt"
+    log = path.read_text() if path.is_file() else ""
+    rows = re.findall(r"^(\S[^\d\n]*?) +([\d.]+) +([\d.]+) +\d+ +[\d.]+$", log.rpartition("\nphase ")[2], re.MULTILINE)
+    return [(name, float(seconds), float(share)) for name, seconds, share in rows]
+
+
 def columns_like(table, pattern):
     """{first group of the pattern: array} for the columns whose whole name matches, in the order of the file."""
     found = {}

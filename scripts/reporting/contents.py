@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from drawing.instants import main_flow
-from drawing.run_output import Missing, read_table
+from drawing.run_output import Missing, phase_times, read_table
 
 from . import movie, page, verdict
 
@@ -127,8 +127,6 @@ def _movie(run):
 
 def _time_split(out):
     """The table of phases at the end of log.txt as bars."""
-    log = (out / "log.txt").read_text() if (out / "log.txt").is_file() else ""
-    rows = re.findall(r"^(\S[^\d\n]*?) +([\d.]+) +([\d.]+) +\d+ +[\d.]+$", log.rpartition("\nphase ")[2], re.MULTILINE)
-    most = max((float(share) for _, _, share in rows), default=0)
-    return page.bars([(name, float(share) / most, f"{float(s):.1f} s, {float(share):.0f} %") for name, s, share in rows]
-                     ) if most > 0 else ""
+    rows = phase_times(out)
+    most = max((share for _, _, share in rows), default=0)
+    return page.bars([(name, share / most, f"{s:.1f} s, {share:.0f} %") for name, s, share in rows]) if most > 0 else ""

@@ -3,7 +3,6 @@
 // the program.
 #include <fmt/format.h>
 #include <mpi.h>
-#include <cstdlib>
 
 #include <CLI/CLI.hpp>
 
@@ -42,9 +41,7 @@ int parse(CLI::App& app, int argc, char** argv, const Communicator& comm)
 
 int main(int argc, char** argv)
 {
-  // Open MPI's shared file pointers hang on the named semaphore that a killed run leaves behind; nothing here uses them.
-  setenv("OMPI_MCA_sharedfp", "^sm", 0);
-  MPI_Init(&argc, &argv);
+  common::start_mpi(&argc, &argv);
   app::Chosen chosen;
   int code = 0;
   bool is_root = true;

@@ -5,12 +5,38 @@
 
 #include <mpi.h>
 
+#include <cstdlib>
+#include <numeric>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "common/error.hpp"
 
 namespace valsalva::common {
+
+/// MPI_Init for everything that may open files. Open MPI's shared file pointers, which nothing here uses, are left out:
+/// they hang on the named semaphore that a killed run leaves behind.
+inline void start_mpi(int* argc = nullptr, char*** argv = nullptr)
+{
+  setenv("OMPI_MCA_sharedfp", "^sm", 0);
+  MPI_Init(argc, argv);
+}
+
+/// The lists of all ranks one after the other, on every rank; T is copied byte by byte. Collective.
+template <class T>
+std::vector<T> gather_lists(const T* mine, int count, MPI_Comm comm)
+{
+  static_assert(std::is_trivially_copyable_v<T>);
+  int ranks = 1, bytes = count * static_cast<int>(sizeof(T));
+  MPI_Comm_size(comm, &ranks);
+  std::vector<int> sizes(static_cast<std::size_t>(ranks)), starts(sizes.size(), 0);
+  MPI_Allgather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, comm);
+  std::exclusive_scan(sizes.begin(), sizes.end(), starts.begin(), 0);
+  std::vector<T> all(static_cast<std::size_t>(starts.back() + sizes.back()) / sizeof(T));
+  MPI_Allgatherv(mine, bytes, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE, comm);
+  return all;
+}
 
 class Communicator {
  public:

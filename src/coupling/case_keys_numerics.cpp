@@ -91,8 +91,9 @@ KeyArray refine_array()
 {
   return {"refine",
           "A part of the box that is refined by hand",
-          {reals("lo_cm", "cm", "Lower corner").of_count(3), reals("hi_cm", "cm", "Upper corner").of_count(3),
-           integer("level", "Level that covers it at least; 0 is the coarsest").in(1, 8)},
+          {text("name", "Unique name of the part"), reals("lo_cm", "cm", "Lower corner").of_count(3),
+           reals("hi_cm", "cm", "Upper corner").of_count(3),
+           integer("level", "Level that covers it; 0 is the coarsest").in(1, 8)},
           {}};
 }
 

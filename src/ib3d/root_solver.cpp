@@ -71,6 +71,7 @@ std::vector<double> RootSolver::solve_fluid(const std::vector<double>& opening_p
 
 void RootSolver::accept(const std::vector<double>& phi)
 {
+  double fastest = 0;
   {
     const auto scope = timers_.time("projection");
     fluid_->finish_step(phi);
@@ -85,27 +86,23 @@ void RootSolver::accept(const std::vector<double>& phi)
     } else {
       interaction_.interpolate(nodes_.first(), X_, fluid_->u().back(), U_);
     }
-    double fastest = 0;
     for (std::size_t n = 0; n < static_cast<std::size_t>(nodes_.owned()); ++n) {
       X_[n] += dt_ * U_[n];
       fastest = std::max({fastest, std::abs(U_[n][0]), std::abs(U_[n][1]), std::abs(U_[n][2])});
     }
-    moved_before_cells_ = moved_cells_;
-    moved_cells_ += dt_ * fastest / fluid_->grid().finest().h;
     nodes_.fill_copies(X_);
   }
   const auto scope = timers_.time("step control");
-  check_and_redistribute();
+  check_and_redistribute(dt_ * fastest / fluid_->grid().finest().h);
 }
 
-void RootSolver::check_and_redistribute()
+void RootSolver::check_and_redistribute(double moved_cells)
 {
-  double state[3] = {fluid_->courant_rate(), nodes_.has_strays(X_) ? 1.0 : 0.0, moved_cells_};
+  double state[3] = {fluid_->courant_rate(), nodes_.has_strays(X_) ? 1.0 : 0.0, moved_cells};
   MPI_Allreduce(MPI_IN_PLACE, state, 3, MPI_DOUBLE, MPI_MAX, fluid_->grid().comm());
   courant_rate_ = state[0];
   if (!std::isfinite(courant_rate_)) return;  // the step has blown up: CoupledModel says so
-  moved_cells_ =
-      policy_.vorticity > 0 ? std::max(state[2], moved_before_cells_ + dt_ * courant_rate_) : state[2];
+  moved_cells_ += policy_.vorticity > 0 ? std::max(state[2], dt_ * courant_rate_) : state[2];
   if (policy_.levels > 1 && moved_cells_ > policy_.margin_cells - 0.5) regrid_if_moved();
   if (state[1] == 0) return;
   X_ = nodes_.redistribute(X_);
@@ -169,7 +166,7 @@ void RootSolver::save_or_restore(Checkpoint& c)
   fluid_->save_or_restore(c);
   nodes_.save_or_restore(c);
   nodes_.save_or_restore(c, "structure/X", X_);
-  if (c.reading()) check_and_redistribute();  // other ranks may have other patches
+  if (c.reading()) check_and_redistribute(0);  // other ranks may have other patches
   elastic_.save_or_restore(c, nodes_);
   c("structure/steps_since_elastic", steps_since_elastic_);
 }

@@ -47,7 +47,8 @@ class RootSolver {
   void save_or_restore(Checkpoint& c);
 
  private:
-  void check_and_redistribute();
+  /// After nodes of this rank have moved by at most `moved_cells`.
+  void check_and_redistribute(double moved_cells);
   void regrid_if_moved();
   /// Moves everything to refined levels of these boxes, made for nodes at X (all of them).
   void rebuild(const Refinement& boxes, const std::vector<Vec3>& X);
@@ -65,7 +66,6 @@ class RootSolver {
   std::vector<Vec3> X_of_cuts_;  ///< all nodes where the ranks' regions were chosen
   std::vector<Vec3> X_of_grid_;  ///< all nodes where the grid was last found to fit them
   double moved_cells_ = 0;       ///< bound of how far anything tagged has moved since
-  double moved_before_cells_ = 0;
   int steps_since_elastic_ = 0;
 };
 

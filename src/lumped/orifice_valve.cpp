@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "common/units.hpp"
+#include "lumped/branch.hpp"
 
 namespace valsalva::lumped {
 
@@ -39,12 +40,11 @@ template <class Scalar>
 void OrificeValve<Scalar>::rates(Instant, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit,
                                  Scalar* dydt) const
 {
-  using std::abs;
   const Scalar dp = pressure_drop(circuit);
   const Scalar &Q = state.y[0], &zeta = state.y[1];
   const Scalar area = area_closed_ + (area_open_ - area_closed_) * zeta;
   const Scalar B = 0.5 * density_ / (area * area), L = density_ * length_ / area;
-  dydt[0] = (dp - (R_ + B * abs(Q)) * Q) / L;
+  dydt[0] = flow_rate_of_change(dp, Q, R_, L, B);
   dydt[1] = state.open ? (1.0 - zeta) * opening_ * dp : zeta * closing_ * dp;
 }
 

@@ -1,7 +1,5 @@
 #include "lumped/valve.hpp"
 
-#include <cmath>
-
 namespace valsalva::lumped {
 
 namespace {
@@ -11,57 +9,48 @@ constexpr double kBand = 1e-10;  // mmHg, ml/s
 template <class Scalar>
 Valve<Scalar>::Valve(const ElementInput<Scalar>& input)
     : Element<Scalar>(input),
-      R_(input.number("R_mmHg_s_ml")),
-      L_(input.number("L_mmHg_s2_ml")),
-      B_(input.number("B_mmHg_s2_ml2"))
+      branch_{input.number("R_mmHg_s_ml"), input.number("L_mmHg_s2_ml"), input.number("B_mmHg_s2_ml2")}
 {
 }
 
 template <class Scalar>
 std::vector<StateVariable<Scalar>> Valve<Scalar>::states() const
 {
-  if (!has_inertia()) return {};
+  if (!branch_.has_inertia()) return {};
   return {{"Q_ml_s", "ml/s", 0.0}};
 }
 
 template <class Scalar>
 void Valve<Scalar>::connect(Instant, LocalState<Scalar> state, NodalCircuit<Scalar>& circuit) const
 {
-  if (!state.open) return;
-  if (has_inertia())
-    circuit.add_flow(node(0), node(1), state.y[0]);
-  else
-    circuit.add_resistor(node(0), node(1), R_, B_);
+  if (state.open) branch_.connect(node(0), node(1), state.y, circuit);
 }
 
 template <class Scalar>
 void Valve<Scalar>::rates(Instant, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit,
                           Scalar* dydt) const
 {
-  using std::abs;
-  if (!has_inertia()) return;
-  const Scalar& Q = state.y[0];
-  dydt[0] = state.open ? (pressure_drop(circuit) - (R_ + B_ * abs(Q)) * Q) / L_ : Scalar(0.0);
+  if (branch_.has_inertia())
+    dydt[0] = state.open ? branch_.rate(pressure_drop(circuit), state.y[0]) : Scalar(0.0);
 }
 
 template <class Scalar>
 Scalar Valve<Scalar>::flow(Instant, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const
 {
-  if (!state.open) return 0.0;
-  return has_inertia() ? state.y[0] : resistor_flow(pressure_drop(circuit), R_, B_);
+  return state.open ? branch_.flow(pressure_drop(circuit), state.y) : Scalar(0.0);
 }
 
 template <class Scalar>
 Scalar Valve<Scalar>::switch_margin(LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const
 {
   if (!state.open) return kBand - pressure_drop(circuit);
-  return kBand + (has_inertia() ? state.y[0] : pressure_drop(circuit));
+  return kBand + (branch_.has_inertia() ? state.y[0] : pressure_drop(circuit));
 }
 
 template <class Scalar>
 void Valve<Scalar>::on_switch(bool, Scalar* y) const
 {
-  if (has_inertia()) y[0] = 0.0;
+  if (branch_.has_inertia()) y[0] = 0.0;
 }
 
 ElementType valve_type()

@@ -12,6 +12,7 @@
 // (2012) 626-641, without the leaflets' motion (orifice_valve.hpp has it).
 #pragma once
 
+#include "lumped/branch.hpp"
 #include "lumped/element_types.hpp"
 
 namespace valsalva::lumped {
@@ -33,9 +34,8 @@ class Valve final : public Element<Scalar> {
  private:
   using Element<Scalar>::node;
   using Element<Scalar>::pressure_drop;
-  bool has_inertia() const { return L_ > 0.0; }
 
-  Scalar R_, L_, B_;
+  Branch<Scalar> branch_;
 };
 
 ElementType valve_type();

@@ -5,10 +5,8 @@ namespace valsalva::lumped {
 template <class Scalar>
 Vessel<Scalar>::Vessel(const ElementInput<Scalar>& input)
     : Element<Scalar>(input),
-      R_(input.number("R_mmHg_s_ml")),
-      L_(input.number("L_mmHg_s2_ml")),
+      branch_{input.number("R_mmHg_s_ml"), input.number("L_mmHg_s2_ml"), input.number("S_mmHg_s2_ml2")},
       C_(input.number("C_ml_mmHg")),
-      S_(input.number("S_mmHg_s2_ml2")),
       initial_pressure_(input.number("initial_pressure_mmHg")),
       wall_terminal_(input.word("wall") == "inlet" ? 0 : 1)
 {
@@ -24,7 +22,7 @@ template <class Scalar>
 std::vector<StateVariable<Scalar>> Vessel<Scalar>::states() const
 {
   std::vector<StateVariable<Scalar>> all;
-  if (has_inertia()) all.push_back({"Q_ml_s", "ml/s", 0.0});
+  if (branch_.has_inertia()) all.push_back({"Q_ml_s", "ml/s", 0.0});
   if (has_wall()) all.push_back({"P_mmHg", "mmHg", initial_pressure_});
   return all;
 }
@@ -33,28 +31,21 @@ template <class Scalar>
 void Vessel<Scalar>::connect(Instant, LocalState<Scalar> state, NodalCircuit<Scalar>& circuit) const
 {
   if (has_wall()) circuit.hold_pressure(node(wall_terminal_), state.y[wall()]);
-  if (has_inertia())
-    circuit.add_flow(node(0), node(1), state.y[0]);
-  else
-    circuit.add_resistor(node(0), node(1), R_, S_);
+  branch_.connect(node(0), node(1), state.y, circuit);
 }
 
 template <class Scalar>
 void Vessel<Scalar>::rates(Instant, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit,
                            Scalar* dydt) const
 {
-  using std::abs;
-  if (has_inertia()) {
-    const Scalar& Q = state.y[0];
-    dydt[0] = (pressure_drop(circuit) - (R_ + S_ * abs(Q)) * Q) / L_;
-  }
+  if (branch_.has_inertia()) dydt[0] = branch_.rate(pressure_drop(circuit), state.y[0]);
   if (has_wall()) dydt[wall()] = circuit.flow_into_holder(node(wall_terminal_)) / C_;
 }
 
 template <class Scalar>
 Scalar Vessel<Scalar>::flow(Instant, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const
 {
-  return has_inertia() ? state.y[0] : resistor_flow(pressure_drop(circuit), R_, S_);
+  return branch_.flow(pressure_drop(circuit), state.y);
 }
 
 template <class Scalar>

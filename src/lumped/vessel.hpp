@@ -14,6 +14,7 @@
 // stenosis: Young & Tsai, J Biomech 6 (1973) 395-410.
 #pragma once
 
+#include "lumped/branch.hpp"
 #include "lumped/element_types.hpp"
 
 namespace valsalva::lumped {
@@ -34,11 +35,11 @@ class Vessel final : public Element<Scalar> {
  private:
   using Element<Scalar>::node;
   using Element<Scalar>::pressure_drop;
-  bool has_inertia() const { return L_ > 0.0; }
   bool has_wall() const { return C_ > 0.0; }
-  std::size_t wall() const { return has_inertia() ? 1 : 0; }  ///< number of the wall's state
+  std::size_t wall() const { return branch_.has_inertia() ? 1 : 0; }  ///< number of the wall's state
 
-  Scalar R_, L_, C_, S_, initial_pressure_;
+  Branch<Scalar> branch_;  ///< its B is S
+  Scalar C_, initial_pressure_;
   int wall_terminal_;
 };
 

@@ -71,6 +71,17 @@ TEST(RestartRules, AddedAndRemovedElementsAreNamed)
   EXPECT_NE(refusal(tube(), more).find("element.veins: is missing now"), std::string::npos);
 }
 
+TEST(RestartRules, ARegionRefinedByHandMustStay)
+{
+  const auto refined = [](const std::string& level) {
+    return tube({"grid.levels=3"},
+                "[[refine]]\nname = \"jet\"\nlo_cm = [1, 1, 1]\nhi_cm = [2, 2, 2]\nlevel = " + level + "\n");
+  };
+  EXPECT_EQ(refusal(refined("1"), refined("1")), "");
+  EXPECT_NE(refusal(refined("2"), refined("1")).find("refine.jet.level: is 2 now, was 1"), std::string::npos)
+      << refusal(refined("2"), refined("1"));
+}
+
 TEST(RestartRules, ALongerRunMustKeepTheLengthOfItsBeat)
 {
   // Without time.period_s the whole run is one beat, so a later end alone would change the sources.

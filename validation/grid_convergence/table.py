@@ -1,47 +1,39 @@
 #!/usr/bin/python3
 """The table of the README from run folders, coarsest first: table.py out/h64 out/h96 out/h128"""
-import csv
 import json
-import pathlib
 import re
-import statistics
 import sys
+from pathlib import Path
 
+import numpy as np
 
-def rows(path):
-    with open(path) as f:
-        return list(csv.DictReader(f))
-
-
-def phases(log):
-    """{phase: ms per step} from the table at the end of log.txt."""
-    found = re.findall(r"^(\S[a-z ]+?) {2,}([\d.]+) +[\d.]+ +(\d+) +[\d.]+$", log, re.M)
-    return {name: float(seconds) for name, seconds, _ in found}
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+from drawing.metrics import last_beat_of_run  # noqa: E402
+from drawing.run_output import phase_times, read_table  # noqa: E402
 
 
 def describe(folder):
-    folder = pathlib.Path(folder)
-    record = json.loads((folder / "run.json").read_text())
-    beat = {k: float(v) for k, v in rows(folder / "beats.csv")[-1].items()}
-    steps = [r for r in rows(folder / "step.csv") if float(r["step"]) > 0]
-    log = (folder / "log.txt").read_text()
-    levels = re.findall(r"^grid +(\d+) cells of ([\d.]+) cm", log, re.M)
-    dt = [float(r["dt_s"]) for r in steps]
-    bounds = [r["dt_bound"] for r in steps]
-    share = {b: bounds.count(b) / len(bounds) for b in sorted(set(bounds), key=bounds.count, reverse=True)}
-    late = [float(r["Q_outlet_ml_s"]) for r in rows(folder / "openings.csv") if float(r["t_s"]) > 0.6]
-    per_step = {name: 1e3 * seconds / len(steps) for name, seconds in phases(log).items()}
-    table = {
+    """({row: text}, {row: number}) of one run."""
+    record, beat = json.loads((folder / "run.json").read_text()), last_beat_of_run(folder)
+    levels = re.findall(r"^grid +(\d+) cells of ([\d.]+) cm", (folder / "log.txt").read_text(), re.M)
+    table = read_table(folder / "step.csv")
+    begun = table["step"] > 0
+    steps = {name: np.array(values)[begun] for name, values in table.items()}
+    bounds, counts = np.unique(steps["dt_bound"], return_counts=True)
+    shares = sorted(((100 * n / len(steps["step"]), b) for b, n in zip(bounds, counts)), reverse=True)
+    openings = read_table(folder / "openings.csv")
+    per_step = {name: 1e3 * seconds / len(steps["step"]) for name, seconds, _ in phase_times(folder)
+                if name not in ("checkpoint", "circulation")}
+    text = {
         "h, cm": f"{float(levels[-1][1]):.4g}",
         "cells per level": " + ".join(n for n, _ in levels),
         "nodes": str(record["nodes"]),
         "steps": str(record["steps"]),
-        "dt, s: median (least)": f"{statistics.median(dt):.2g} ({min(dt):.2g})",
-        "bounded by": ", ".join(f"{b} {100 * s:.0f} %" for b, s in share.items() if s > 0.02),
-        "pressure iterations per step, mean": f"{statistics.mean(float(r['iterations']) for r in steps):.2f}",
-        "ms per step, median": f"{1e3 * statistics.median(float(r['wall_s']) for r in steps):.0f}",
-        "of it, mean: " + ", ".join(n for n in per_step if n not in ("wall", "checkpoint", "circulation")):
-            ", ".join(f"{v:.1f}" for n, v in per_step.items() if n not in ("wall", "checkpoint", "circulation")),
+        "dt, s: median (least)": f"{np.median(steps['dt_s']):.2g} ({steps['dt_s'].min():.2g})",
+        "bounded by": ", ".join(f"{b} {share:.0f} %" for share, b in shares if share > 2),
+        "pressure iterations per step, mean": f"{steps['iterations'].mean():.2f}",
+        "ms per step, median": f"{1e3 * np.median(steps['wall_s']):.0f}",
+        "of it, mean: " + ", ".join(per_step): ", ".join(f"{v:.1f}" for v in per_step.values()),
         "wall-clock time": f"{record['wall_s'] / 60:.1f} min",
         "memory, all ranks, MB": f"{record['peak_memory_mb']:.0f}",
     }
@@ -54,15 +46,16 @@ def describe(folder):
         "mean gradient, mmHg": beat["mean_gradient_mmHg"],
         "closing volume, ml": beat["closing_volume_ml"],
         "mean leak after closure, ml/s": beat["mean_leak_ml_s"],
-        "flow 0.6-0.8 s, ml/s": statistics.mean(late),
+        "flow 0.6-0.8 s, ml/s": openings["Q_outlet_ml_s"][openings["t_s"] > 0.6].mean(),
     }
-    return table, numbers
+    return text, numbers
 
 
 def main(folders):
+    folders = [Path(f) for f in folders]
     described = [describe(f) for f in folders]
-    print("| | " + " | ".join(pathlib.Path(f).name for f in folders) + " | " +
-          " | ".join(f"{pathlib.Path(b).name} - {pathlib.Path(a).name}" for a, b in zip(folders, folders[1:])) + " |")
+    print("| | " + " | ".join(f.name for f in folders) + " | " +
+          " | ".join(f"{b.name} - {a.name}" for a, b in zip(folders, folders[1:])) + " |")
     print("|---" * (2 * len(folders)) + "|")
     for name in described[0][0]:
         print(f"| {name} | " + " | ".join(t.get(name, "") for t, _ in described) + " |" + " |" * (len(folders) - 1))

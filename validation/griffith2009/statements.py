@@ -6,6 +6,7 @@ import h5py
 import numpy as np
 
 from drawing.centre_line import axis_of, read_line
+from drawing.fields import boxes_of
 from drawing.instants import story
 from drawing.metrics import ejection, last_beat_of_run
 from drawing.run_output import Fibers, Missing, leaflet_frames, nearest, read_series, read_table, wall_points
@@ -135,13 +136,13 @@ def _grid_rows(out):
         points = leaflet_points(Fibers(shape))
         points = points if wall is None else np.concatenate([points, wall])
         with h5py.File(path, "r") as file:
-            levels = sum(name.startswith("Level") for name in file["VTKHDF"])
-            finest = file[f"VTKHDF/Level{levels - 1}"]
-            places = (points - file["VTKHDF"].attrs["Origin"]) / finest.attrs["Spacing"]  # in cells
-            boxes = finest["AMRBox"][:].reshape(-1, 3, 2)
+            boxes, origin = list(boxes_of(file)), file["VTKHDF"].attrs["Origin"]
+        levels = boxes[-1].level + 1
+        places = (points - origin) / boxes[-1].h  # in cells
         inside = np.zeros(len(points), bool)
         for box in boxes:
-            inside |= np.all((places >= box[:, 0]) & (places <= box[:, 1] + 1), axis=1)
+            if box.level + 1 == levels:
+                inside |= np.all((places >= box.lo) & (places <= box.hi + 1), axis=1)
         outside, frames = outside + int(np.sum(~inside)), frames + 1
     return [("6", "three levels, the finest covers the structure",
              f"{levels} level{'s' if levels > 1 else ''}; {outside} nodes outside of the finest in {frames} frames")]

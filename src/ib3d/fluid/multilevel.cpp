@@ -109,15 +109,6 @@ void add_prolongation(const Level& fine, const CellField<float>& coarse, CellFie
   }
 }
 
-/// The first layer of cells of a patch along a side.
-IndexBox first_layer(const IndexBox& box, int side)
-{
-  const auto d = static_cast<std::size_t>(side_direction(side));
-  IndexBox layer = box;
-  (side_is_high(side) ? layer.lo[d] : layer.hi[d]) = side_is_high(side) ? box.hi[d] - 1 : box.lo[d] + 1;
-  return layer;
-}
-
 }  // namespace
 
 /// Transfer from a refined level to the composite level below it, whose boxes and owners are others.
@@ -136,14 +127,10 @@ struct Multilevel::Transfer {
         for_each_image(coarse, [&](const Int3& shift) {
           const Int3 back{-shift[0], -shift[1], -shift[2]};
           const int fine_owner = fine.patches[f].owner, coarse_owner = coarse.patches[c].owner;
-          IndexBox source = coarse.patches[c].box.shifted(back);
+          const IndexBox& cells = coarse.patches[c].box;
           down.add(fine_owner, coarse_owner,
-                   {0, there[f], here[c], intersect(coarsened.patches[f].box, source), shift});
-          for (int side = 0; side < kSideCount; ++side)
-            if (coarse.at_side(coarse.patches[c].box, side)) {
-              const auto d = static_cast<std::size_t>(side_direction(side));
-              side_is_high(side) ? ++source.hi[d] : --source.lo[d];
-            }
+                   {0, there[f], here[c], intersect(coarsened.patches[f].box, cells.shifted(back)), shift});
+          const IndexBox source = coarse.with_outside(cells, cells, 1).shifted(back);
           for (const IndexBox& w : wanted)
             up.add(coarse_owner, fine_owner,
                    {0, here[c], there[f], intersect(w, source).shifted(shift), back});
@@ -154,18 +141,18 @@ struct Multilevel::Transfer {
 };
 
 Multilevel::MgLevel::MgLevel(PressureGrid g, PressureInterface* level_edge)
-    : grid(std::move(g)), edge(level_edge), e(grid.level()), rhs(grid.level()), relaxation(grid.level())
+    : grid(std::move(g)), edge(level_edge), relaxation(grid.level())
 {
   for (int p = 0; p < grid.level().local_count(); ++p) {
     const IndexBox& box = grid.level().local_box(p);
     Array3<float>& diagonal = relaxation[p];
     for_each_index(box, [&](int i, int j, int k) { diagonal(i, j, k) = 6.0f; });
-    for (const SidePlane<float>& theta : grid.shares(p))
-      for_each_index(first_layer(box, theta.side), [&](int i, int j, int k) {
-        const Int3 at{i, j, k};
-        diagonal(i, j, k) -=
-            1 - 2 * theta(at[static_cast<std::size_t>(theta.t1)], at[static_cast<std::size_t>(theta.t2)]);
+    for (const SidePlane<float>& theta : grid.shares(p)) {
+      const auto d = static_cast<std::size_t>(side_direction(theta.side));
+      theta.for_each(side_is_high(theta.side) ? box.hi[d] - 1 : box.lo[d], [&](const Int3& at, int a, int b) {
+        diagonal(at[0], at[1], at[2]) -= 1 - 2 * theta(a, b);
       });
+    }
     if (edge != nullptr)
       edge->for_each_edge_cell(p, [&](int i, int j, int k) { diagonal(i, j, k) -= 2.0f / 3; });
     for_each_index(box,
@@ -184,12 +171,16 @@ Multilevel::Multilevel(CompositePressure& problem)
 {
   for (int l = problem.hierarchy().level_count() - 1; l >= 0; --l) {
     levels_.emplace_back(problem.grid(l), l > 0 ? &problem.edge(l) : nullptr);
+    if (levels_.size() > 1) levels_.back().rhs = CellField<float>(problem.grid(l).level());
     if (l > 0)
       levels_.back().transfer =
           std::make_unique<Transfer>(problem.hierarchy().level(l - 1), problem.hierarchy().level(l));
   }
-  while (levels_.back().grid.level().can_coarsen())
+  while (levels_.back().grid.level().can_coarsen()) {
     levels_.emplace_back(levels_.back().grid.coarsened(), nullptr);
+    MgLevel& m = levels_.back();
+    m.rhs = m.e = CellField<float>(m.grid.level());
+  }
   base_ = std::make_unique<HyprePfmg>(levels_.back().grid, 2);
 }
 

@@ -28,7 +28,9 @@ class Multilevel : public Preconditioner {
     PressureGrid grid;
     PressureInterface* edge;  ///< of a refined level, else null
     std::unique_ptr<Transfer> transfer;
-    CellField<float> e, rhs, relaxation;  ///< relaxation = 1.15/diagonal
+    CellField<float> relaxation;  ///< 1.15/diagonal
+    CellField<float> rhs;         ///< of all but the finest level
+    CellField<float> e;           ///< of levels below level 0; the composite ones work in place
   };
   void cycle(std::size_t l, const CellField<float>& rhs, CellField<float>& e);
   void smooth(const MgLevel& m, const CellField<float>& rhs, CellField<float>& e, bool from_zero,

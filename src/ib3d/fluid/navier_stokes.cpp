@@ -20,16 +20,12 @@ void close_walls(const PressureGrid& grid, MacField& u)
   const Level& level = grid.level();
   for (int p = 0; p < level.local_count(); ++p)
     for (const SidePlane<float>& theta : grid.shares(p)) {
-      const auto d = static_cast<std::size_t>(side_direction(theta.side));
-      for (int b = theta.lo2; b < theta.lo2 + theta.n2; ++b)
-        for (int a = theta.lo1; a < theta.lo1 + theta.n1; ++a) {
-          if (theta(a, b) > 0) continue;
-          Int3 at{};
-          at[d] = side_is_high(theta.side) ? level.box.hi[d] : level.box.lo[d];
-          at[static_cast<std::size_t>(theta.t1)] = a;
-          at[static_cast<std::size_t>(theta.t2)] = b;
-          u(p, static_cast<int>(d))(at[0], at[1], at[2]) = 0;
-        }
+      const int d = side_direction(theta.side);
+      const auto dd = static_cast<std::size_t>(d);
+      theta.for_each(side_is_high(theta.side) ? level.box.hi[dd] : level.box.lo[dd],
+                     [&](const Int3& at, int a, int b) {
+                       if (theta(a, b) == 0) u(p, d)(at[0], at[1], at[2]) = 0;
+                     });
     }
 }
 
@@ -208,15 +204,10 @@ void NavierStokes::subtract_gradient(double dt)
   for (std::size_t l = 0; l < u_.size(); ++l) {
     const Level& level = grid_.levels()[l];
     const double factor = dt / (fluid_.density * level.h);
-    for (int p = 0; p < level.local_count(); ++p)
-      for (int c = 0; c < 3; ++c) {
-        const IndexBox box = faces_of(level.local_box(p), c);
-        const std::ptrdiff_t s = p_[l][p].stride(c);
-        for_each_row(box, [&](int j, int k) {
-          correct_row(u_new_[l](p, c).at(box.lo[0], j, k), p_[l][p].at(box.lo[0], j, k), factor, s,
-                      box.size(0));
-        });
-      }
+    for_each_face_row(level, [&](int p, int c, int i, int j, int k, int n) {
+      const Array3<double>& pressure = p_[l][p];
+      correct_row(u_new_[l](p, c).at(i, j, k), pressure.at(i, j, k), factor, pressure.stride(c), n);
+    });
   }
 }
 

@@ -56,7 +56,7 @@ float share(const Hierarchy& grid, int l, int side, int a, int b, const std::vec
   if (grid.covered(l, cell_at(level, side, a, b))) {
     float sum = 0;
     for (int m = 0; m < 4; ++m) sum += share(grid, l + 1, side, 2 * a + (m & 1), 2 * b + (m >> 1), openings);
-    return std::min(1.0f, 1.25f * 0.25f * sum);
+    return coarse_share(sum);
   }
   for (const Opening& o : openings)
     if (o.side == side && in_disc(o, level, a, b)) return 1.0f;

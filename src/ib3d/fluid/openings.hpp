@@ -6,6 +6,7 @@
 // Flow Q (ml/s) is positive out of the 3D domain, into the opening's port of the 0D network.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,19 @@ struct SidePlane {
   SidePlane(const IndexBox& cells, int side_number, T fill);
   T& operator()(int a, int b) { return value[index(a, b)]; }
   T operator()(int a, int b) const { return value[index(a, b)]; }
+  /// Calls f(index, a, b) for every place of the plane, with `along` as its index across the side.
+  template <class F>
+  void for_each(int along, F&& f) const
+  {
+    Int3 at{};
+    at[static_cast<std::size_t>(side_direction(side))] = along;
+    for (int b = lo2; b < lo2 + n2; ++b)
+      for (int a = lo1; a < lo1 + n1; ++a) {
+        at[static_cast<std::size_t>(t1)] = a;
+        at[static_cast<std::size_t>(t2)] = b;
+        f(at, a, b);
+      }
+  }
   /// Like operator(), with indices outside the plane clamped to it (for corner ghosts).
   T clamped(int a, int b) const;
 
@@ -43,8 +57,15 @@ struct SidePlane {
 /// Whether boundary face (a, b) of the side lies in the opening's disc (by its centre).
 bool in_disc(const Opening& opening, const Level& level, int a, int b);
 
+/// theta of a face from the sum of those of the four finer ones under it: 1.25 x their mean, at most 1, so that a small
+/// disc does not vanish (measured in the project's design).
+constexpr float coarse_share(float sum_of_four)
+{
+  return std::min(1.0f, 1.25f * 0.25f * sum_of_four);
+}
+
 /// Share theta of prescribed pressure on each boundary face of a local patch of level l: 0 wall, 1 disc or open
-/// side; under finer faces 1.25 x the mean of the four, at most 1, so that a small disc does not vanish.
+/// side, `coarse_share` under finer faces.
 /// Only sides at the domain's boundary that are not periodic appear.
 std::vector<SidePlane<float>> pressure_shares(const Hierarchy& grid, int l, int local_patch,
                                               const std::vector<Opening>& openings);

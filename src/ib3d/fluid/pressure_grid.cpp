@@ -49,15 +49,11 @@ void fill_side(const Level& level, const SidePlane<float>& reflection, Array3<T>
 void add_to_side(const Level& level, const SidePlane<float>& theta, const SidePlane<double>& p_b,
                  Array3<double>& p)
 {
-  const auto dd = static_cast<std::size_t>(side_direction(theta.side));
-  Int3 at{};
-  at[dd] = side_is_high(theta.side) ? level.box.hi[dd] : level.box.lo[dd] - 1;
-  for (int b = theta.lo2; b < theta.lo2 + theta.n2; ++b)
-    for (int a = theta.lo1; a < theta.lo1 + theta.n1; ++a) {
-      at[static_cast<std::size_t>(theta.t1)] = a;
-      at[static_cast<std::size_t>(theta.t2)] = b;
-      p(at[0], at[1], at[2]) += 2 * static_cast<double>(theta(a, b)) * p_b(a, b);
-    }
+  const auto d = static_cast<std::size_t>(side_direction(theta.side));
+  theta.for_each(side_is_high(theta.side) ? level.box.hi[d] : level.box.lo[d] - 1,
+                 [&](const Int3& at, int a, int b) {
+                   p(at[0], at[1], at[2]) += 2 * static_cast<double>(theta(a, b)) * p_b(a, b);
+                 });
 }
 
 /// 1 - 2 theta on the plane and one ring of corner ghosts around it, which repeat the nearest face.
@@ -103,9 +99,8 @@ PressureGrid PressureGrid::coarsened() const
       SidePlane<float> plane(coarse.level_.local_box(p), fine.side, 0.0f);
       for (int b = plane.lo2; b < plane.lo2 + plane.n2; ++b)
         for (int a = plane.lo1; a < plane.lo1 + plane.n1; ++a) {
-          const float mean = 0.25f * (fine(2 * a, 2 * b) + fine(2 * a + 1, 2 * b) + fine(2 * a, 2 * b + 1) +
-                                      fine(2 * a + 1, 2 * b + 1));
-          plane(a, b) = std::min(1.0f, 1.25f * mean);
+          plane(a, b) = coarse_share(fine(2 * a, 2 * b) + fine(2 * a + 1, 2 * b) + fine(2 * a, 2 * b + 1) +
+                                     fine(2 * a + 1, 2 * b + 1));
         }
       coarse.shares_.back().push_back(std::move(plane));
     }

@@ -42,16 +42,11 @@ void ViscousSolver::sweep(double diffusion, const CompositeMac& from, CompositeM
   for (std::size_t l = 0; l < to.size(); ++l) {
     const Level& level = grid_.levels()[l];
     const double a = diffusion / (level.h * level.h);
-    for (int p = 0; p < level.local_count(); ++p)
-      for (int c = 0; c < 3; ++c) {
-        const IndexBox box = faces_of(level.local_box(p), c);
-        const Array3<double>& q = from[l](p, c);
-        for_each_row(box, [&](int j, int k) {
-          const int i = box.lo[0];
-          jacobi_row(to[l](p, c).at(i, j, k), b_[l](p, c).at(i, j, k), q.at(i, j, k), a, q.stride(1),
-                     q.stride(2), box.size(0));
-        });
-      }
+    for_each_face_row(level, [&](int p, int c, int i, int j, int k, int n) {
+      const Array3<double>& q = from[l](p, c);
+      jacobi_row(to[l](p, c).at(i, j, k), b_[l](p, c).at(i, j, k), q.at(i, j, k), a, q.stride(1), q.stride(2),
+                 n);
+    });
   }
 }
 

@@ -1,8 +1,9 @@
 #include "ib3d/fluid/vorticity.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
+
+#include "common/comm.hpp"
 
 namespace valsalva::ib3d {
 
@@ -20,19 +21,6 @@ double squared_curl(const MacField& u, int p, int i, int j, int k)
   };
   const double x = jump(2, 1) - jump(1, 2), y = jump(0, 2) - jump(2, 0), z = jump(1, 0) - jump(0, 1);
   return x * x + y * y + z * z;
-}
-
-std::vector<int> gathered(const std::vector<int>& mine, MPI_Comm comm)
-{
-  int ranks = 1;
-  MPI_Comm_size(comm, &ranks);
-  int count = static_cast<int>(mine.size());
-  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(counts.size(), 0);
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
-  std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
-  std::vector<int> all(static_cast<std::size_t>(starts.back() + counts.back()));
-  MPI_Allgatherv(mine.data(), count, MPI_INT, all.data(), counts.data(), starts.data(), MPI_INT, comm);
-  return all;
 }
 
 }  // namespace
@@ -55,12 +43,10 @@ std::vector<RefinedRegion> vortical_blocks(const Hierarchy& grid, const Composit
         blocks.insert(block);
       });
     }
-    std::vector<int> mine;
-    for (const Int3& b : blocks) mine.insert(mine.end(), b.begin(), b.end());
-    const std::vector<int> all = gathered(mine, grid.comm());
+    const std::vector<Int3> mine(blocks.begin(), blocks.end());
     const double size = kBlock * level.h;
-    for (std::size_t n = 0; n + 3 <= all.size(); n += 3) {
-      const Vec3 lo{all[n] * size, all[n + 1] * size, all[n + 2] * size};
+    for (const Int3& b : common::gather_lists(mine.data(), static_cast<int>(mine.size()), grid.comm())) {
+      const Vec3 lo{b[0] * size, b[1] * size, b[2] * size};
       regions.push_back({lo, lo + Vec3{size, size, size}, l + 1});
     }
   }

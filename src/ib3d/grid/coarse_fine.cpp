@@ -117,13 +117,8 @@ inline void mean_of_cells(T* __restrict out, const T* __restrict a, std::ptrdiff
 /// The values of a patch that may be read: its own and those beyond the sides of the domain.
 IndexBox readable(const Level& level, const IndexBox& cells, int component)
 {
-  IndexBox b = component == kCells ? cells : faces_of(cells, component);
-  for (std::size_t d = 0; d < 3; ++d) {
-    const int reach = component == kCells ? 1 : kMacGhosts;
-    if (level.at_side(cells, static_cast<int>(2 * d))) b.lo[d] -= reach;
-    if (level.at_side(cells, static_cast<int>(2 * d + 1))) b.hi[d] += reach;
-  }
-  return b;
+  return component == kCells ? level.with_outside(cells, cells, 1)
+                             : level.with_outside(cells, faces_of(cells, component), kMacGhosts);
 }
 
 }  // namespace
@@ -171,14 +166,14 @@ CoarseFine::CoarseFine(const Level& coarse, const Level& fine, int ghosts)
       });
       for (const IndexBox& faces : rest) all.push_back({static_cast<int>(f), d, faces});
     }
-  up_ghosts_ = plan_footprints(all, false);
+  up_ghosts_ = plan_footprints(all);
   for (const GhostPart& g : all)
     if (const int p = there[static_cast<std::size_t>(g.patch)]; p >= 0)
       ghosts_.push_back({p, g.component, g.faces});
 }
 
 /// `parts` by global patch number.
-CopyPlan CoarseFine::plan_footprints(const std::vector<GhostPart>& parts, bool cells) const
+CopyPlan CoarseFine::plan_footprints(const std::vector<GhostPart>& parts) const
 {
   CopyPlan plan(coarse_.comm);
   const std::vector<int> here = coarse_.local_numbers(), there = fine_.local_numbers();
@@ -190,9 +185,9 @@ CopyPlan CoarseFine::plan_footprints(const std::vector<GhostPart>& parts, bool c
         const Int3 back{-shift[0], -shift[1], -shift[2]};
         const IndexBox source = readable(coarse_, coarse_.patches[c].box, part.component).shifted(shift);
         for (const IndexBox& w : wanted)
-          plan.add(
-              coarse_.patches[c].owner, fine_.patches[f].owner,
-              {cells ? 0 : part.component, here[c], there[f], intersect(w, source).shifted(back), shift});
+          plan.add(coarse_.patches[c].owner, fine_.patches[f].owner,
+                   {part.component == kCells ? 0 : part.component, here[c], there[f],
+                    intersect(w, source).shifted(back), shift});
         wanted = without(wanted, source);
       });
   }
@@ -251,7 +246,7 @@ void CoarseFine::interpolate(const MacField& coarse, MacField& fine)
   std::vector<GhostPart> all;
   for (std::size_t f = 0; f < fine_.patches.size(); ++f)
     for (int d = 0; d < 3; ++d) all.push_back({static_cast<int>(f), d, faces_of(fine_.patches[f].box, d)});
-  fetch(plan_footprints(all, false), coarse);
+  fetch(plan_footprints(all), coarse);
   for (int p = 0; p < fine_.local_count(); ++p)
     for (int d = 0; d < 3; ++d)
       interpolate_box(shadow_(p, d), fine(p, d), faces_of(fine_.local_box(p), d), d);
@@ -262,8 +257,8 @@ void CoarseFine::interpolate(const CellField<double>& coarse, CellField<double>&
   std::vector<GhostPart> all;
   for (std::size_t f = 0; f < fine_.patches.size(); ++f)
     all.push_back({static_cast<int>(f), kCells, fine_.patches[f].box});
-  plan_footprints(all, true).forward<double>([&](int p, int) -> const Array3<double>& { return coarse[p]; },
-                                             [&](int p, int) -> Array3<double>& { return cells_[p]; });
+  plan_footprints(all).forward<double>([&](int p, int) -> const Array3<double>& { return coarse[p]; },
+                                       [&](int p, int) -> Array3<double>& { return cells_[p]; });
   for (int p = 0; p < fine_.local_count(); ++p)
     interpolate_box(cells_[p], fine[p], fine_.local_box(p), kCells);
 }

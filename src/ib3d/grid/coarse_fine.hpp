@@ -35,7 +35,7 @@ class CoarseFine {
     int patch, component;
     IndexBox faces;
   };
-  CopyPlan plan_footprints(const std::vector<GhostPart>& parts, bool cells) const;
+  CopyPlan plan_footprints(const std::vector<GhostPart>& parts) const;
   void fetch(const CopyPlan& plan, const MacField& coarse);
 
   Level coarse_, fine_, coarsened_;

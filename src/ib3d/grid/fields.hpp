@@ -135,6 +135,18 @@ void for_each_owned_face(const Level& level, int p, int d, F&& f)
   for (const IndexBox& b : owned_faces(level, level.number_of(p), d)) for_each_index(b, f);
 }
 
+/// Calls f(p, d, i, j, k, n) for the first face (i, j, k) and the length of every row of faces of the local patches, high
+/// faces included.
+template <class F>
+void for_each_face_row(const Level& level, F&& f)
+{
+  for (int p = 0; p < level.local_count(); ++p)
+    for (int d = 0; d < 3; ++d) {
+      const IndexBox box = faces_of(level.local_box(p), d);
+      for_each_row(box, [&](int j, int k) { f(p, d, box.lo[0], j, k, box.size(0)); });
+    }
+}
+
 /// One field per level, coarsest first.
 template <class T>
 using CompositeCells = std::vector<CellField<T>>;

@@ -66,6 +66,19 @@ bool Level::at_side(const IndexBox& b, int side) const
   return side_is_high(side) ? b.hi[dd] == box.hi[dd] : b.lo[dd] == box.lo[dd];
 }
 
+IndexBox Level::with_outside(const IndexBox& cells, IndexBox values, int reach) const
+{
+  for (int side = 0; side < kSideCount; ++side) {
+    if (!at_side(cells, side)) continue;
+    const auto d = static_cast<std::size_t>(side_direction(side));
+    if (side_is_high(side))
+      values.hi[d] += reach;
+    else
+      values.lo[d] -= reach;
+  }
+  return values;
+}
+
 bool Level::can_coarsen() const
 {
   for (const Patch& p : patches)

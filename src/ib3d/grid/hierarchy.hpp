@@ -64,6 +64,8 @@ struct Level {
   long cell_count() const;
   /// Whether the box touches the side of the domain and the side is not periodic.
   bool at_side(const IndexBox& b, int side) const;
+  /// `values`, indices of a patch with these cells, and `reach` more beyond the sides of the domain that it touches.
+  IndexBox with_outside(const IndexBox& cells, IndexBox values, int reach) const;
   /// Whether every patch can be halved in every direction.
   bool can_coarsen() const;
   /// The same boxes in cells twice as large, same owners.

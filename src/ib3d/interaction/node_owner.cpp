@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "common/comm.hpp"
 #include "common/error.hpp"
 #include "ib3d/interaction/spread_interpolate.hpp"
 
@@ -149,22 +150,10 @@ void NodeOwner::fill_copies(std::vector<Vec3>& values) const
 
 std::vector<Vec3> NodeOwner::gather(const std::vector<Vec3>& values) const
 {
-  int ranks = 1;
-  MPI_Comm_size(level_.comm, &ranks);
-  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(counts.size(), 0), counts3(counts.size());
-  MPI_Allgather(&part_.owned, 1, MPI_INT, counts.data(), 1, MPI_INT, level_.comm);
-  std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
-  std::vector<int> ids(whole_.X.size());
-  MPI_Allgatherv(part_.global.data(), part_.owned, MPI_INT, ids.data(), counts.data(), starts.data(), MPI_INT,
-                 level_.comm);
-  std::vector<Vec3> packed(whole_.X.size()), all(whole_.X.size());
-  for (std::size_t r = 0; r < counts.size(); ++r) {
-    counts3[r] = 3 * counts[r];
-    starts[r] *= 3;
-  }
-  MPI_Allgatherv(values.data(), 3 * part_.owned, MPI_DOUBLE, packed.data(), counts3.data(), starts.data(),
-                 MPI_DOUBLE, level_.comm);
-  for (std::size_t i = 0; i < ids.size(); ++i) all[static_cast<std::size_t>(ids[i])] = packed[i];
+  const std::vector<int> nodes = common::gather_lists(part_.global.data(), part_.owned, level_.comm);
+  const std::vector<Vec3> of_nodes = common::gather_lists(values.data(), part_.owned, level_.comm);
+  std::vector<Vec3> all(whole_.X.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) all[static_cast<std::size_t>(nodes[i])] = of_nodes[i];
   return all;
 }
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <system_error>
 
+#include "common/comm.hpp"
+
 namespace valsalva::ib3d {
 
 inline void start_mpi()
@@ -19,7 +21,7 @@ inline void start_mpi()
       int started = 0;
       MPI_Initialized(&started);
       own = started == 0;
-      if (own) MPI_Init(nullptr, nullptr);
+      if (own) common::start_mpi();
     }
     ~Session()
     {
