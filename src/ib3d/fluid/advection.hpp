@@ -12,11 +12,18 @@
 
 namespace valsalva::ib3d {
 
+// The long arithmetic of xsppm7 gains a sixth from the full width of AVX-512, which GCC does not use by itself.
+#ifdef __AVX512F__
+#define VALSALVA_FULL_WIDTH [[gnu::noinline, gnu::target("prefer-vector-width=512")]]
+#else
+#define VALSALVA_FULL_WIDTH
+#endif
+
 /// Fluxes through the low d-sides of n control volumes in a row. q: the component at the first one; sd: its
 /// stride along d; v0, v1: the two advecting values of each side.
 template <auto upwind_value>
-inline void flux_row(double* __restrict flux, const double* q, std::ptrdiff_t sd, const double* v0,
-                     const double* v1, int n)
+VALSALVA_FULL_WIDTH inline void flux_row(double* __restrict flux, const double* q, std::ptrdiff_t sd,
+                                         const double* v0, const double* v1, int n)
 {
   for (int i = 0; i < n; ++i) {
     const double ubar = 0.5 * (v0[i] + v1[i]);
@@ -75,5 +82,7 @@ void for_each_convected_row(Advection scheme, const std::array<const Array3<doub
   const std::vector<double> zero(static_cast<std::size_t>(box.size(0)), 0.0);
   for_each_row(box, [&](int j, int k) { row(j, k, zero.data()); });
 }
+
+#undef VALSALVA_FULL_WIDTH
 
 }  // namespace valsalva::ib3d

@@ -18,33 +18,26 @@ inline Four four(const double (&c)[kDeltaWidth])
   return Four{c[0], c[1], c[2], c[3]};
 }
 
-/// Lattices of one node: faces along x, y, z, then cell centres along x, y, z; two lanes of padding.
-constexpr int kLattices = 6, kLanes = 8;
+/// Lattices that carry the components: faces along x, y, z, then cell centres along x, y, z.
+constexpr int kLattices = 6;
+/// Nodes whose supports are found together, side by side in vector registers.
+constexpr int kBlock = 32;
 
-struct Support {
-  int start[kLanes];       ///< lowest of the four lattice points
-  Four weight[kLattices];  ///< of the four points
+struct Supports {
+  int start[kLattices][kBlock];  ///< lowest of the four lattice points
+  double r[kLattices][kBlock], root[kLattices][kBlock];
 };
 
-inline void find_support(const Vec3& X, double inverse_h, Support& s)
+inline void find_supports(const Vec3* X, int count, double inverse_h, Supports& s)
 {
-  const double at[kLanes] = {X[0] * inverse_h,
-                             X[1] * inverse_h,
-                             X[2] * inverse_h,
-                             X[0] * inverse_h - 0.5,
-                             X[1] * inverse_h - 0.5,
-                             X[2] * inverse_h - 0.5,
-                             0.0,
-                             0.0};
-  double r[kLanes], root[kLanes];
-  for (int l = 0; l < kLanes; ++l) {
-    const double below = std::floor(at[l]);
-    s.start[l] = static_cast<int>(below) - 1;
-    r[l] = at[l] - below;
-    root[l] = delta_root(r[l]);
-  }
   for (int l = 0; l < kLattices; ++l)
-    s.weight[l] = four(kDeltaBase) + r[l] * four(kDeltaSlope) + root[l] * four(kDeltaRoot);
+    for (int m = 0; m < count; ++m) {
+      const double at = X[m][l % 3] * inverse_h - (l < 3 ? 0.0 : 0.5);
+      const double below = std::floor(at), r = at - below;
+      s.start[l][m] = static_cast<int>(below) - 1;
+      s.r[l][m] = r;
+      s.root[l][m] = delta_root(r);
+    }
 }
 
 /// The lattice of direction d for component c.
@@ -53,20 +46,19 @@ constexpr int lattice_of(int c, int d)
   return c == d ? d : 3 + d;
 }
 
-/// Weights of component c along x, and the products of those along y and z, row j + 4 k.
-struct RowWeights {
-  Four x;
-  double yz[kDeltaWidth * kDeltaWidth];
+/// Where one node acts: its lowest lattice points and the weights of all four.
+struct Support {
+  int start[kLattices];
+  Four weight[kLattices];
+  Support(const Supports& s, int m)
+  {
+    for (int l = 0; l < kLattices; ++l) {
+      start[l] = s.start[l][m];
+      weight[l] = four(kDeltaBase) + s.r[l][m] * four(kDeltaSlope) + s.root[l][m] * four(kDeltaRoot);
+    }
+  }
+  const Four& of(int c, int d) const { return weight[lattice_of(c, d)]; }
 };
-
-inline RowWeights row_weights(const Support& s, int c)
-{
-  RowWeights w;
-  w.x = s.weight[lattice_of(c, 0)];
-  const Four y = s.weight[lattice_of(c, 1)], z = s.weight[lattice_of(c, 2)];
-  for (int k = 0; k < kDeltaWidth; ++k) *reinterpret_cast<FourInMemory*>(w.yz + kDeltaWidth * k) = z[k] * y;
-  return w;
-}
 
 template <class T>
 inline T* corner_of(const Support& s, int c, T* origin, const IndexBox& stored, std::ptrdiff_t sy,
@@ -76,30 +68,29 @@ inline T* corner_of(const Support& s, int c, T* origin, const IndexBox& stored, 
          (s.start[lattice_of(c, 1)] - stored.lo[1]) * sy + (s.start[lattice_of(c, 2)] - stored.lo[2]) * sz;
 }
 
-inline void add_to_rows(double* corner, std::ptrdiff_t sy, std::ptrdiff_t sz, const RowWeights& w,
+/// Adds force times the weights of component c; the innermost four points lie along x.
+inline void add_to_rows(double* corner, std::ptrdiff_t sy, std::ptrdiff_t sz, const Support& s, int c,
                         double force)
 {
-  const Four x = force * w.x;
+  const Four x = force * s.of(c, 0), y = s.of(c, 1), z = s.of(c, 2);
   for (int k = 0; k < kDeltaWidth; ++k, corner += sz) {
-    double* row = corner;
-    for (int j = 0; j < kDeltaWidth; ++j, row += sy) {
-      auto* four = reinterpret_cast<FourInMemory*>(row);
-      *four = *four + w.yz[kDeltaWidth * k + j] * x;
+    const Four zx = z[k] * x;
+    for (int j = 0; j < kDeltaWidth; ++j) {
+      auto* row = reinterpret_cast<FourInMemory*>(corner + j * sy);
+      *row = *row + y[j] * zx;
     }
   }
 }
 
-inline double sum_of_rows(const double* corner, std::ptrdiff_t sy, std::ptrdiff_t sz, const RowWeights& w)
+inline double sum_of_rows(const double* corner, std::ptrdiff_t sy, std::ptrdiff_t sz, const Support& s, int c)
 {
-  Four even{}, odd{};
+  const Four x = s.of(c, 0), y = s.of(c, 1), z = s.of(c, 2);
+  Four sum{};
   for (int k = 0; k < kDeltaWidth; ++k, corner += sz) {
     const auto row = [&](int j) { return *reinterpret_cast<const FourInMemory*>(corner + j * sy); };
-    even += w.yz[kDeltaWidth * k] * row(0);
-    odd += w.yz[kDeltaWidth * k + 1] * row(1);
-    even += w.yz[kDeltaWidth * k + 2] * row(2);
-    odd += w.yz[kDeltaWidth * k + 3] * row(3);
+    sum += z[k] * (y[0] * row(0) + y[1] * row(1) + y[2] * row(2) + y[3] * row(3));
   }
-  const Four sum = (even + odd) * w.x;
+  sum *= x;
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
@@ -140,8 +131,7 @@ void for_each_mirrored_point(const Support& s, int c, const Level& level, Point&
       index[d][m] = i;
     }
   }
-  const Four &x = s.weight[lattice_of(c, 0)], &y = s.weight[lattice_of(c, 1)],
-             &z = s.weight[lattice_of(c, 2)];
+  const Four &x = s.of(c, 0), &y = s.of(c, 1), &z = s.of(c, 2);
   for (int k = 0; k < kDeltaWidth; ++k)
     for (int j = 0; j < kDeltaWidth; ++j)
       for (int i = 0; i < kDeltaWidth; ++i) point(index[0][i], index[1][j], index[2][k], x[i] * y[j] * z[k]);
@@ -167,6 +157,18 @@ void for_each_mirrored_point(const Support& s, int c, const Level& level, Point&
   return sum;
 }
 
+/// Calls act(node, support) for the nodes first <= n < last.
+template <class Act>
+inline void for_each_support(int first, int last, std::span<const Vec3> X, double inverse_h, Act&& act)
+{
+  Supports block;
+  for (int n = first; n < last; n += kBlock) {
+    const int count = std::min(kBlock, last - n);
+    find_supports(X.data() + n, count, inverse_h, block);
+    for (int m = 0; m < count; ++m) act(static_cast<std::size_t>(n + m), Support(block, m));
+  }
+}
+
 }  // namespace
 
 void Interaction::spread(std::span<const int> first, std::span<const Vec3> X, std::span<const Vec3> F,
@@ -179,18 +181,15 @@ void Interaction::spread(std::span<const int> first, std::span<const Vec3> X, st
     const IndexBox stored = f(p, 0).stored();
     const std::ptrdiff_t sy = f(p, 0).stride(1), sz = f(p, 0).stride(2);
     double* const origin[3] = {f(p, 0).data().data(), f(p, 1).data().data(), f(p, 2).data().data()};
-    for (int n = first[static_cast<std::size_t>(p)]; n < first[static_cast<std::size_t>(p) + 1]; ++n) {
-      const auto node = static_cast<std::size_t>(n);
-      Support s;
-      find_support(X[node], inverse_h, s);
+    const auto q = static_cast<std::size_t>(p);
+    for_each_support(first[q], first[q + 1], X, inverse_h, [&](std::size_t node, const Support& s) {
       if (!inside.holds(X[node])) {
         spread_mirrored(s, level_, inverse_volume * F[node], f, p);
-        continue;
+        return;
       }
       for (int c = 0; c < 3; ++c)
-        add_to_rows(corner_of(s, c, origin[c], stored, sy, sz), sy, sz, row_weights(s, c),
-                    F[node][c] * inverse_volume);
-    }
+        add_to_rows(corner_of(s, c, origin[c], stored, sy, sz), sy, sz, s, c, F[node][c] * inverse_volume);
+    });
   }
   faces_.accumulate(f);
 }
@@ -204,17 +203,15 @@ void Interaction::interpolate(std::span<const int> first, std::span<const Vec3> 
     const IndexBox stored = u(p, 0).stored();
     const std::ptrdiff_t sy = u(p, 0).stride(1), sz = u(p, 0).stride(2);
     const double* const origin[3] = {u(p, 0).data().data(), u(p, 1).data().data(), u(p, 2).data().data()};
-    for (int n = first[static_cast<std::size_t>(p)]; n < first[static_cast<std::size_t>(p) + 1]; ++n) {
-      const auto node = static_cast<std::size_t>(n);
-      Support s;
-      find_support(X[node], inverse_h, s);
+    const auto q = static_cast<std::size_t>(p);
+    for_each_support(first[q], first[q + 1], X, inverse_h, [&](std::size_t node, const Support& s) {
       if (!inside.holds(X[node])) {
         U[node] = interpolate_mirrored(s, level_, u, p);
-        continue;
+        return;
       }
       for (int c = 0; c < 3; ++c)
-        U[node][c] = sum_of_rows(corner_of(s, c, origin[c], stored, sy, sz), sy, sz, row_weights(s, c));
-    }
+        U[node][c] = sum_of_rows(corner_of(s, c, origin[c], stored, sy, sz), sy, sz, s, c);
+    });
   }
 }
 

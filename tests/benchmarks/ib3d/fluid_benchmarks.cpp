@@ -123,11 +123,11 @@ void cold_projection(benchmark::State& state)
   for (std::size_t l = u.size() - 1; l > 0; --l) transfers[l - 1].average_down(u[l], u[l - 1]);
   CompositeCells<double> p = composite_cells<double>(grid);
   const std::vector<BoundaryPressure> p_b = solver.problem().zero_boundary_pressure();
-  const double rms = solver.solve(p, p_b, &u, 1.0, 1e30).initial_rms;
+  const double rms = solver.solve(p, p_b, &u, 1.0, 1e30, 60).initial_rms;
   KrylovReport report;
   for (auto _ : state) {
     for (CellField<double>& level : p) level.set_zero();
-    report = solver.solve(p, p_b, &u, 1.0, 1e-6 * rms);
+    report = solver.solve(p, p_b, &u, 1.0, 1e-6 * rms, 60);
   }
   state.counters["iterations"] = report.iterations;
   state.counters["per_cell"] = each(static_cast<double>(grid.valid_cell_count()));
