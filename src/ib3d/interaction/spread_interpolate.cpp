@@ -113,48 +113,76 @@ struct Inside {
   }
 };
 
-/// Calls point(i, j, k, weight) for the 64 points of component c, those outside the domain mirrored about its sides.
-template <class Point>
-void for_each_mirrored_point(const Support& s, int c, const Level& level, Point&& point)
-{
+/// The support of component c with the points outside the domain mirrored about its sides.
+struct MirroredSupport {
   int index[3][kDeltaWidth];
-  for (int d = 0; d < 3; ++d) {
-    const auto dd = static_cast<std::size_t>(d);
-    const int centred =
-        c == d ? 0 : 1;  // the mirror image of a face is 2 L - i, of a cell centre 2 L - 1 - i
-    for (int m = 0; m < kDeltaWidth; ++m) {
-      int i = s.start[lattice_of(c, d)] + m;
-      if (!level.domain.periodic(d)) {
-        if (i < level.box.lo[dd]) i = 2 * level.box.lo[dd] - centred - i;
-        if (i > level.box.hi[dd] - centred) i = 2 * level.box.hi[dd] - centred - i;
+  bool whole_rows;  ///< no point is mirrored along x
+
+  MirroredSupport(const Support& s, int c, const Level& level)
+  {
+    for (int d = 0; d < 3; ++d) {
+      const auto dd = static_cast<std::size_t>(d);
+      const int centred =
+          c == d ? 0 : 1;  // the mirror image of a face is 2 L - i, of a cell centre 2 L - 1 - i
+      for (int m = 0; m < kDeltaWidth; ++m) {
+        int i = s.start[lattice_of(c, d)] + m;
+        if (!level.domain.periodic(d)) {
+          if (i < level.box.lo[dd]) i = 2 * level.box.lo[dd] - centred - i;
+          if (i > level.box.hi[dd] - centred) i = 2 * level.box.hi[dd] - centred - i;
+        }
+        index[d][m] = i;
       }
-      index[d][m] = i;
     }
+    whole_rows = index[0][kDeltaWidth - 1] - index[0][0] == kDeltaWidth - 1;
   }
-  const Four &x = s.of(c, 0), &y = s.of(c, 1), &z = s.of(c, 2);
-  for (int k = 0; k < kDeltaWidth; ++k)
-    for (int j = 0; j < kDeltaWidth; ++j)
-      for (int i = 0; i < kDeltaWidth; ++i) point(index[0][i], index[1][j], index[2][k], x[i] * y[j] * z[k]);
-}
+
+  /// Calls row(first point, weight along y and z) for the 16 rows of a.
+  template <class Field, class Row>
+  void for_each_row(const Support& s, int c, Field& a, Row&& row) const
+  {
+    const Four &y = s.of(c, 1), &z = s.of(c, 2);
+    for (int k = 0; k < kDeltaWidth; ++k)
+      for (int j = 0; j < kDeltaWidth; ++j) row(a.at(index[0][0], index[1][j], index[2][k]), z[k] * y[j]);
+  }
+  int step(int m) const { return index[0][m] - index[0][0]; }
+};
 
 // Nodes beside a side are few: kept out of line, so that the loops over the others stay tight.
 [[gnu::noinline]] void spread_mirrored(const Support& s, const Level& level, const Vec3& density, MacField& f,
                                        int patch)
 {
-  for (int c = 0; c < 3; ++c)
-    for_each_mirrored_point(s, c, level, [&](int i, int j, int k, double weight) {
-      f(patch, c)(i, j, k) += weight * density[c];
+  for (int c = 0; c < 3; ++c) {
+    const MirroredSupport at(s, c, level);
+    const Four x = density[c] * s.of(c, 0);
+    at.for_each_row(s, c, f(patch, c), [&](double* row, double yz) {
+      if (at.whole_rows) {
+        auto* four = reinterpret_cast<FourInMemory*>(row);
+        *four = *four + yz * x;
+      } else {
+        for (int m = 0; m < kDeltaWidth; ++m) row[at.step(m)] += yz * x[m];
+      }
     });
+  }
 }
 
 [[gnu::noinline]] Vec3 interpolate_mirrored(const Support& s, const Level& level, const MacField& u,
                                             int patch)
 {
-  Vec3 sum{0, 0, 0};
-  for (int c = 0; c < 3; ++c)
-    for_each_mirrored_point(
-        s, c, level, [&](int i, int j, int k, double weight) { sum[c] += weight * u(patch, c)(i, j, k); });
-  return sum;
+  Vec3 value{0, 0, 0};
+  for (int c = 0; c < 3; ++c) {
+    const MirroredSupport at(s, c, level);
+    Four sum{};
+    at.for_each_row(s, c, u(patch, c), [&](const double* row, double yz) {
+      if (at.whole_rows) {
+        sum += yz * *reinterpret_cast<const FourInMemory*>(row);
+      } else {
+        for (int m = 0; m < kDeltaWidth; ++m) sum[m] += yz * row[at.step(m)];
+      }
+    });
+    sum *= s.of(c, 0);
+    value[c] = (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  }
+  return value;
 }
 
 /// Calls act(node, support) for the nodes first <= n < last.
