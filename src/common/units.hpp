@@ -14,6 +14,14 @@ constexpr double mmHg_from_dyn_cm2(double p_dyn_cm2)
 {
   return p_dyn_cm2 / kMmHg;
 }
+constexpr double mJ_from_mmHg_ml(double energy_mmHg_ml)
+{
+  return 1e-4 * kMmHg * energy_mmHg_ml;
+}
+constexpr double mJ_from_erg(double energy_erg)
+{
+  return 1e-4 * energy_erg;
+}
 constexpr double l_min_from_ml_s(double q_ml_s)
 {
   return 0.06 * q_ml_s;

@@ -98,7 +98,18 @@ std::vector<std::string> beat_columns()
           "p_ao_systolic_mmHg",
           "p_ao_diastolic_mmHg",
           "p_ao_mean_mmHg",
-          "mass_balance_ml"};
+          "mass_balance_ml",
+          "network_inflow_ml",
+          "network_volume_change_ml",
+          "volume_residual_ml",
+          "source_work_mJ",
+          "network_loss_mJ",
+          "network_energy_change_mJ",
+          "root_work_mJ",
+          "root_kinetic_inflow_mJ",
+          "root_energy_change_mJ",
+          "root_loss_mJ",
+          "energy_residual_mJ"};
 }
 
 std::vector<double> beat_row(const BeatMetrics& m)
@@ -121,7 +132,18 @@ std::vector<double> beat_row(const BeatMetrics& m)
           m.p_ao_systolic_mmHg,
           m.p_ao_diastolic_mmHg,
           m.p_ao_mean_mmHg,
-          m.mass_balance_ml};
+          m.mass_balance_ml,
+          m.balance.network_inflow_ml,
+          m.balance.network_volume_change_ml,
+          m.balance.volume_residual_ml,
+          m.balance.source_work_mJ,
+          m.balance.network_loss_mJ,
+          m.balance.network_energy_change_mJ,
+          m.balance.root_work_mJ,
+          m.balance.root_kinetic_inflow_mJ,
+          m.balance.root_energy_change_mJ,
+          m.balance.root_loss_mJ,
+          m.balance.energy_residual_mJ};
 }
 
 std::string beat_text(const BeatMetrics& m)
@@ -135,6 +157,13 @@ std::string beat_text(const BeatMetrics& m)
       m.mean_leak_ml_s, m.peak_flow_ml_s, m.ejection_time_s, m.mean_gradient_mmHg, m.p_ao_systolic_mmHg,
       m.p_ao_diastolic_mmHg, m.p_ao_mean_mmHg);
   if (m.max_orifice_area_cm2 > 0) text += fmt::format(", orifice {:.2f} cm^2", m.max_orifice_area_cm2);
+  const BeatBalance& b = m.balance;
+  text += fmt::format("\n        work of sources {:.0f} mJ = lost in the network {:.0f}", b.source_work_mJ,
+                      b.network_loss_mJ);
+  if (b.root_work_mJ != 0)
+    text += fmt::format(" + lost in the root {:.0f} + carried off as kinetic energy {:.0f}", b.root_loss_mJ,
+                        -b.root_kinetic_inflow_mJ);
+  text += fmt::format(" + stored {:.0f}", b.network_energy_change_mJ + b.root_energy_change_mJ);
   return text;
 }
 

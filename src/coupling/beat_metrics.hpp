@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "coupling/beat_balance.hpp"
+
 namespace valsalva::coupling {
 
 struct BeatSample {
@@ -28,6 +30,7 @@ struct BeatMetrics {
   double peak_flow_ml_s = 0, least_flow_ml_s = 0, mean_gradient_mmHg = 0, max_orifice_area_cm2 = 0;
   double p_ao_systolic_mmHg = 0, p_ao_diastolic_mmHg = 0, p_ao_mean_mmHg = 0;
   double mass_balance_ml = 0;
+  BeatBalance balance;  ///< filled in by the run
 };
 
 /// The metrics of beat number `beat` (from 1) from its samples in order of time; zeros where nothing was
@@ -38,7 +41,7 @@ BeatMetrics measure_beat(int beat, const std::vector<BeatSample>& samples);
 std::vector<std::string> beat_columns();
 std::vector<double> beat_row(const BeatMetrics& m);
 
-/// The numbers of a beat in two lines for people.
+/// The numbers of a beat in three lines for people.
 std::string beat_text(const BeatMetrics& m);
 
 }  // namespace valsalva::coupling

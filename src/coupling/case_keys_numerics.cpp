@@ -11,6 +11,12 @@ std::vector<KeySection> numerics_sections()
        "Length of the run and of its steps",
        {real("end_s", "s", "End of the run").above(0),
         real("period_s", "s", "Length of a beat; 0: the whole run is one beat").at_least(0).or_else(0.0),
+        real("stop_when_periodic_within", "",
+             "End after a beat whose stroke volume and mean, systolic and diastolic aortic pressures differ "
+             "from the "
+             "beat before by less than this share; 0: go on to end_s")
+            .in(0.0, 0.5)
+            .or_else(0.0),
         real("cfl", "", "Largest dt (|u| + |v| + |w|)/h of an automatic step").in(0.05, 0.5).or_else(0.4),
         real("dt_max_s", "s", "Longest automatic step").in(1e-9, 1.0).or_else(2e-4),
         real("dt_fixed_s", "s", "Fixed step; 0: automatic steps").in(0.0, 1.0).or_else(0.0),

@@ -37,7 +37,7 @@ CoupledModel::CoupledModel(ib3d::RootSolver& root, Circulation& circulation, Cou
 {
   const std::vector<double> none(static_cast<std::size_t>(circulation.port_count()), 0.0);
   interface_ = {circulation.state().t, circulation.pressures(none), none};
-  flow_before_ = none;
+  flow_before_ = kinetic_outflow_ = none;
 }
 
 Eigen::MatrixXd CoupledModel::conductance() const
@@ -107,6 +107,7 @@ StepReport CoupledModel::advance(const ib3d::StepBound& step)
   check_numbers(dt, Q);
   flow_before_ = interface_.flow_ml_s;
   interface_.flow_ml_s.assign(Q.data(), Q.data() + Q.size());
+  account_energy(dt, p_used_ + phi);
   const bool implicit = scheme_ == CouplingScheme::implicit_;
   circulation_.advance(dt, implicit ? flow_before_ : interface_.flow_ml_s, interface_.flow_ml_s);  // (4.4)
   interface_.t_s = t();
@@ -124,8 +125,23 @@ StepReport CoupledModel::advance(const ib3d::StepBound& step)
           fluid.divergence_max()};
 }
 
+/// (4.6), with p the opening pressures of the step just taken.
+void CoupledModel::account_energy(double dt, const Eigen::VectorXd& p)
+{
+  std::vector<double> kinetic = root_.fluid().kinetic_outflow();
+  for (std::size_t m = 0; m < kinetic.size(); ++m) {
+    pressure_work_ -=
+        0.5 * dt * p[static_cast<Eigen::Index>(m)] * (flow_before_[m] + interface_.flow_ml_s[m]);
+    kinetic_inflow_ -= 0.5 * dt * common::mmHg_from_dyn_cm2(kinetic_outflow_[m] + kinetic[m]);
+  }
+  kinetic_outflow_ = std::move(kinetic);
+}
+
 void CoupledModel::save_or_restore(Checkpoint& c)
 {
+  c("coupling/pressure_work_mmHg_ml", pressure_work_);
+  c("coupling/kinetic_inflow_mmHg_ml", kinetic_inflow_);
+  c("coupling/kinetic_outflow_erg_s", kinetic_outflow_);
   c("coupling/step", step_);
   c("coupling/dt_before_s", dt_before_);
   c("coupling/t_s", interface_.t_s);

@@ -47,6 +47,10 @@ class CoupledModel {
   const InterfaceState& interface() const { return interface_; }
   const ib3d::RootSolver& root() const { return root_; }
   const Circulation& circulation() const { return circulation_; }
+  /// What has come into the 3D root through its openings since the start, less what went out, mmHg ml: work of the
+  /// opening pressures, and kinetic energy that the flow carries.
+  double pressure_work() const { return pressure_work_; }
+  double kinetic_inflow() const { return kinetic_inflow_; }
   /// Inertance seen from opening m, mmHg s^2/ml: what flow acceleration costs in pressure.
   double inertance(int m) const;
 
@@ -57,6 +61,7 @@ class CoupledModel {
  private:
   Eigen::MatrixXd conductance() const;  ///< W in ml/s^2 per mmHg
   void predict_pressures(double dt);
+  void account_energy(double dt, const Eigen::VectorXd& p);
   void check_numbers(double dt, const Eigen::VectorXd& Q) const;
 
   ib3d::RootSolver& root_;
@@ -65,7 +70,8 @@ class CoupledModel {
   StepControl control_;
   Timers& timers_;
   InterfaceState interface_;
-  std::vector<double> flow_before_;
+  std::vector<double> flow_before_, kinetic_outflow_;
+  double pressure_work_ = 0, kinetic_inflow_ = 0;
   Eigen::VectorXd p_used_;
   double dt_before_ = 0;
   long step_ = 0;

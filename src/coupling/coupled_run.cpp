@@ -9,6 +9,7 @@
 #include "common/output_folder.hpp"
 #include "common/progress.hpp"
 #include "common/stop_signal.hpp"
+#include "coupling/periodic_beats.hpp"
 #include "coupling/run_checkpoints.hpp"
 #include "coupling/run_record.hpp"
 #include "coupling/snapshots.hpp"
@@ -126,6 +127,7 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
 {
   const Communicator comm;
   Timers timers;
+  PeriodicBeats beats(c);
   std::optional<Restart> restart = find_restart(options.restart, options.out_dir, options.force, c, comm);
   CaseModel model(c, comm.raw(), timers);
   if (restart)
@@ -157,6 +159,7 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
       },
       [&](Checkpoint& file) {
         traces.save_or_restore(file);
+        beats.save_or_restore(file);
         snapshots.save_or_restore(file);
       });
   if (restart) {
@@ -184,6 +187,7 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
     record.wall_s = wall_before + timers.wall();
     write_run_record(options.out_dir, record, comm);
   };
+  const auto tell_beat = [&](const BeatMetrics& beat) { log.line(beat_text(beat) + "\n" + beats.add(beat)); };
   const auto write_checkpoint = [&] {
     const auto scope = timers.time("checkpoint");
     checkpoints.write(coupled.step(), timers.wall());
@@ -194,13 +198,13 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
   bool stopped = false;
   try {
     snapshots.write_due();
-    while (coupled.t() < end - 1e-12 && !stopped) {
+    while (coupled.t() < end - 1e-12 && !stopped && !beats.reached()) {
       const double step_begun = timers.wall();
       const StepReport step =
           coupled.advance(coupled.next_step(std::min({end, snapshots.next_time(), traces.beat_end()})));
       {
         const auto scope = timers.time("output");
-        if (const auto beat = traces.record(step, timers.wall() - step_begun)) log.line(beat_text(*beat));
+        if (const auto beat = traces.record(step, timers.wall() - step_begun)) tell_beat(*beat);
         snapshots.write_due();
       }
       progress.tell(step, traces, timers.wall());
@@ -213,16 +217,18 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
     fail_at(coupled, options.out_dir, checkpoints.last(), error);
   }
   write_checkpoint();
-  if (const auto beat = traces.finish()) log.line(beat_text(*beat));
-  write_record(stopped ? "stopped by a signal" : "finished");
+  if (const auto beat = traces.finish()) tell_beat(*beat);
+  write_record(beats.reached() ? beats.outcome() : stopped ? "stopped by a signal" : "finished");
   log.line(timers.table());
   if (stopped)
     log.line(
         fmt::format("stopped at t = {:.4f} s by a signal; all output is complete up to there", coupled.t()));
   log.line("results in " + options.out_dir);
-  log.line(
-      fmt::format("checkpoint {}\n{} {}", checkpoints.last(),
-                  stopped ? "to continue:" : "to go on with a later time.end_s:", options.continue_command));
+  const char* go_on = beats.reached() ? "to go on with a smaller time.stop_when_periodic_within:"
+                      : stopped       ? "to continue:"
+                                      : "to go on with a later time.end_s:";
+  log.line(fmt::format("checkpoint {}\n{} {}", checkpoints.last(), go_on, options.continue_command));
+  if (beats.reached()) log.line(beats.outcome());
   return 0;
 }
 

@@ -11,7 +11,7 @@
 #include "common/output_folder.hpp"
 #include "common/stop_signal.hpp"
 #include "common/time_series.hpp"
-#include "coupling/beat_metrics.hpp"
+#include "coupling/periodic_beats.hpp"
 #include "coupling/run_record.hpp"
 
 namespace valsalva::coupling {
@@ -64,6 +64,12 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
   lumped::NetworkSpec spec = network_from_case(c);
   const AorticValve aortic(spec);
   if (!aortic.flow.empty()) spec.integrals = {aortic.flow};
+  spec.balance = true;
+  PeriodicBeats periodic(c);
+  if (aortic.flow.empty() && c.section("time").real("stop_when_periodic_within") > 0)
+    throw CaseError({c.section("time").problem("stop_when_periodic_within",
+                                               "asks to compare beats, but the case has no valve from which "
+                                               "beats are measured; leave this key out")});
   const lumped::LumpedNetwork network(spec);
   common::create_output_folder(options.out_dir, options.force, c.resolved_toml(), comm);
   common::catch_stop_signals();
@@ -98,8 +104,9 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
       samples.push_back({state.t, at(flow), at(p_ventricle), at(p_aorta), -1, 0});
     };
     record();
+    BalanceState at_begin = balance_state(network, state);
     lumped::CvodeIntegrator integrator(network);
-    for (int beat = 1; state.t < end - 1e-12 && !stopped; ++beat) {
+    for (int beat = 1; state.t < end - 1e-12 && !stopped && !periodic.reached(); ++beat) {
       const double stop = std::min(end, beat * spec.period_s);
       const double begin = state.t;
       const long rows = std::lround(std::ceil((stop - begin) / kSampleInterval_s));
@@ -113,10 +120,13 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
         record();
         stopped = common::stop_requested();
       }
-      const BeatMetrics metrics = measure_beat(beat, samples);
+      BeatMetrics metrics = measure_beat(beat, samples);
+      const BalanceState now = balance_state(network, state);
+      metrics.balance = balance_between(at_begin, now);
+      at_begin = now;
       if (flow >= 0) {
         beats.add(beat_row(metrics));
-        log.line(beat_text(metrics));
+        log.line(beat_text(metrics) + "\n" + periodic.add(metrics));
       }
       samples = {samples.back()};
     }
@@ -124,11 +134,12 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
     beats.flush();
     switchings.flush();
   }
-  write_run_record(
-      options.out_dir,
-      {options.case_path, stopped ? "stopped by a signal" : "finished", state.t, timers.wall(), steps, 0, 0},
-      comm);
+  const std::string outcome = periodic.reached() ? periodic.outcome()
+                              : stopped          ? "stopped by a signal"
+                                                 : "finished";
+  write_run_record(options.out_dir, {options.case_path, outcome, state.t, timers.wall(), steps, 0, 0}, comm);
   log.line("results in " + options.out_dir);
+  if (periodic.reached()) log.line(outcome);
   return 0;
 }
 

@@ -194,8 +194,19 @@ Structure structure_from_case(const CaseFile& c, const ib3d::Domain& domain, dou
   return structure;
 }
 
+namespace {
+
+lumped::NetworkSpec network_with_balance(const CaseFile& c)
+{
+  lumped::NetworkSpec spec = network_from_case(c);
+  spec.balance = true;
+  return spec;
+}
+
+}  // namespace
+
 CaseModel::CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers)
-    : circulation_(network_from_case(c)),
+    : circulation_(network_with_balance(c)),
       domain_(domain_from_case(c)),
       refinement_(refinement_from_case(c)),
       structure_(

@@ -54,8 +54,8 @@ std::vector<long> agreed_steps_in(const std::string& out, const Communicator& co
 bool may_change(const std::string& key)
 {
   if (key == "output.probes_z_cm") return false;  // the columns of probes.csv
-  return key == "title" || key == "time.end_s" || key.starts_with("output.") ||
-         key.starts_with("checkpoint.");
+  return key == "title" || key == "time.end_s" || key == "time.stop_when_periodic_within" ||
+         key.starts_with("output.") || key.starts_with("checkpoint.");
 }
 
 Checkpoint open_checked(const std::string& path, const CaseFile& c, const Communicator& comm)

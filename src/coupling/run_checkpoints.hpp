@@ -1,6 +1,6 @@
 // The checkpoints of a run, <folder>/checkpoints/checkpoint_<step>.h5: when they are written, how many are kept,
 // and which one a run continues from. A checkpoint holds the case too: only keys that leave the solution alone
-// (title, [output] without probes_z_cm, [checkpoint], time.end_s) may change between a run and its continuation.
+// (title, [output] without probes_z_cm, [checkpoint], time.end_s, time.stop_when_periodic_within) may change between a run and its continuation.
 #pragma once
 
 #include <functional>

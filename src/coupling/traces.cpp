@@ -65,12 +65,16 @@ void Traces::begin()
     for (File* file : {&steps_, &openings_, &probes_, &beats_})
       file->writer.emplace(path_of(*file), file->columns);
   write_row({}, 0.0);
+  at_begin_ = balance_state(model_.model());
 }
 
 void Traces::save_or_restore(Checkpoint& c)
 {
   c("traces/beat", beat_);
   c("traces/samples", samples_);
+  std::vector<BalanceState> balance{at_begin_};
+  c("traces/balance_at_begin", balance);
+  at_begin_ = balance.at(0);
   for (File* file : {&steps_, &openings_, &probes_, &beats_}) {
     std::int64_t position = 0;
     if (!c.reading()) common::on_root(comm_, [&] { position = file->writer->position(); });
@@ -146,7 +150,10 @@ std::optional<BeatMetrics> Traces::record(const StepReport& step, double wall_s)
 
 BeatMetrics Traces::close_beat()
 {
-  const BeatMetrics metrics = measure_beat(beat_, samples_);
+  BeatMetrics metrics = measure_beat(beat_, samples_);
+  const BalanceState now = balance_state(model_.model());
+  metrics.balance = balance_between(at_begin_, now);
+  at_begin_ = now;
   if (beats_.writer) beats_.writer->add(beat_row(metrics));
   samples_ = {samples_.back()};
   ++beat_;

@@ -54,6 +54,7 @@ class Traces {
   std::vector<int> edge_nodes_;
   File steps_, openings_, probes_, beats_;
   std::vector<BeatSample> samples_;
+  BalanceState at_begin_;  ///< of the beat
   double q_upstream_ = 0, q_downstream_ = 0, orifice_ = -1;
 };
 

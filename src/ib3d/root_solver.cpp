@@ -151,6 +151,11 @@ double RootSolver::elastic_rate()
   return elastic_.omega();
 }
 
+double RootSolver::elastic_energy() const
+{
+  return fiber_energy(nodes_.whole(), nodes_.gather(X_));
+}
+
 void RootSolver::save_or_restore(Checkpoint& c)
 {
   std::vector<Vec3> X = X_of_cuts_;

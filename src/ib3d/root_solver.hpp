@@ -38,6 +38,9 @@ class RootSolver {
   /// omega_max of the structure (1/s), refreshed every few steps.
   double elastic_rate();
 
+  /// Energy of the fibre network, erg. Collective.
+  double elastic_energy() const;
+
   const NavierStokes& fluid() const { return *fluid_; }
   const NodeOwner& nodes() const { return nodes_; }
   /// Positions of the local nodes, owned ones first, copies after them (current up to the last `accept`).

@@ -35,6 +35,13 @@ struct Branch {
   {
     return has_inertia() ? *Q : resistor_flow(dp, R, B);
   }
+  /// mmHg ml/s and mmHg ml.
+  Scalar loss(const Scalar& Q) const
+  {
+    using std::abs;
+    return (R + B * abs(Q)) * Q * Q;
+  }
+  Scalar energy(const Scalar* Q) const { return has_inertia() ? 0.5 * L * *Q * *Q : Scalar(0.0); }
   /// With inertia only.
   Scalar rate(const Scalar& dp, const Scalar& Q) const { return flow_rate_of_change(dp, Q, R, L, B); }
 };

@@ -85,6 +85,14 @@ Scalar Chamber<Scalar>::flow(Instant now, LocalState<Scalar> state, const NodalC
 }
 
 template <class Scalar>
+Exchange<Scalar> Chamber<Scalar>::exchange(Instant now, LocalState<Scalar> state,
+                                           const NodalCircuit<Scalar>& circuit) const
+{
+  const Scalar Q = flow(now, state, circuit);
+  return {.work = -elastic_pressure(now, state.y[0]) * Q, .loss = R_ * Q * Q};
+}
+
+template <class Scalar>
 Scalar Chamber<Scalar>::next_kink(double t) const
 {
   const double later = t + kTimeResolution_s;

@@ -28,6 +28,8 @@ class Chamber final : public Element<Scalar> {
   void rates(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit,
              Scalar* dydt) const override;
   Scalar flow(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const override;
+  Exchange<Scalar> exchange(Instant now, LocalState<Scalar> state,
+                            const NodalCircuit<Scalar>& circuit) const override;
   Scalar next_kink(double t) const override;
   Scalar volume(LocalState<Scalar> state) const override { return state.y[0]; }
 

@@ -23,7 +23,7 @@ constexpr int kMostSwitches = 1000;  // within one smooth piece; a heart beat ha
 
 double absolute_scale(const std::string& unit)
 {
-  return unit == "ml/s" ? 10.0 : 1.0;
+  return unit == "mmHg ml" ? 1000.0 : unit == "ml/s" ? 10.0 : 1.0;
 }
 
 }  // namespace

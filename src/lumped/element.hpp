@@ -47,6 +47,14 @@ enum class NodeRole {
   fixes        ///< at least at times the node's pressure itself
 };
 
+/// What an element trades with the world outside the network, and what it turns into heat.
+template <class Scalar>
+struct Exchange {
+  Scalar inflow = 0.0;  ///< blood from outside, ml/s
+  Scalar work = 0.0;    ///< power that sources and contracting walls put into the blood, mmHg ml/s
+  Scalar loss = 0.0;    ///< power that is lost on the way, mmHg ml/s
+};
+
 template <class Scalar>
 class Element {
  public:
@@ -70,6 +78,13 @@ class Element {
 
   /// Blood held by the element, ml.
   virtual Scalar volume(LocalState<Scalar>) const { return 0.0; }
+  /// Stored in compliances and inertances, mmHg ml. With `exchange` it accounts for all power at the terminals:
+  ///     sum over terminals of p (flow into the element) = d(energy)/dt + loss - work
+  virtual Scalar energy(LocalState<Scalar>) const { return 0.0; }
+  virtual Exchange<Scalar> exchange(Instant, LocalState<Scalar>, const NodalCircuit<Scalar>&) const
+  {
+    return {};
+  }
   /// Does all blood that enters it stay in the network? Not in a source, nor through a peripheral resistance
   /// to a fixed pressure.
   virtual bool keeps_volume() const { return true; }

@@ -24,6 +24,14 @@ Scalar FlowSource<Scalar>::flow(Instant now, LocalState<Scalar>, const NodalCirc
   return flow_.value(now);
 }
 
+template <class Scalar>
+Exchange<Scalar> FlowSource<Scalar>::exchange(Instant now, LocalState<Scalar> state,
+                                              const NodalCircuit<Scalar>& circuit) const
+{
+  const Scalar Q = flow(now, state, circuit);
+  return {.inflow = Q, .work = circuit.pressure(node(0)) * Q};
+}
+
 ElementType flow_source_type()
 {
   return {.name = "flow_source",

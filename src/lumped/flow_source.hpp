@@ -20,6 +20,8 @@ class FlowSource final : public Element<Scalar> {
 
   void connect(Instant now, LocalState<Scalar> state, NodalCircuit<Scalar>& circuit) const override;
   Scalar flow(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const override;
+  Exchange<Scalar> exchange(Instant now, LocalState<Scalar> state,
+                            const NodalCircuit<Scalar>& circuit) const override;
   Scalar next_kink(double t) const override { return flow_.next_kink(t); }
   bool keeps_volume() const override { return false; }
 

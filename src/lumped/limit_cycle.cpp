@@ -145,6 +145,7 @@ LimitCycle find_limit_cycle(const NetworkSpec& given, const std::vector<std::str
 {
   NetworkSpec spec = given;
   spec.integrals.clear();
+  spec.balance = false;
   if (spec.period_s <= 0.0)
     throw CaseError("time.period_s", "is missing; a periodic state needs the length of a beat.");
   LumpedState state;
@@ -195,6 +196,7 @@ SampledBeat sample_beat(const NetworkSpec& given, const LimitCycle& cycle,
 {
   NetworkSpec spec = given;
   spec.integrals = observables;
+  spec.balance = false;
   const LumpedNetwork network(spec);
   Tangents tangents(spec, parameters);
   CvodeIntegrator integrator(network, tangents, rtol);

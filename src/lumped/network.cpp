@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "lumped/complete_spec.hpp"
 #include "lumped/element_types.hpp"
@@ -43,6 +44,7 @@ Network<Scalar>::Network(const NetworkSpec& spec, std::span<const std::string> s
   for (const std::string& node : node_names_) observables_.push_back({"p_" + node + "_mmHg", "mmHg"});
   for (auto& element : elements) place(std::move(element));
   add_integrals(complete.integrals);
+  if (complete.balance) add_balance();
 }
 
 template <class Scalar>
@@ -69,6 +71,15 @@ void Network<Scalar>::add_integrals(const std::vector<std::string>& names)
     integrals_.push_back(static_cast<int>(found - observables_.begin()));
     states_.push_back({"integral." + name, found->unit == "ml/s" ? "ml" : found->unit + " s", 0.0});
   }
+}
+
+template <class Scalar>
+void Network<Scalar>::add_balance()
+{
+  balances_ = true;
+  states_.push_back({"integral.inflow_ml", "ml", 0.0});
+  states_.push_back({"integral.work_mmHg_ml", "mmHg ml", 0.0});
+  states_.push_back({"integral.loss_mmHg_ml", "mmHg ml", 0.0});
 }
 
 template <class Scalar>
@@ -117,6 +128,25 @@ void Network<Scalar>::rates(Instant now, const Scalar* y, std::span<const int> v
     e.element->rates(now, local_state(e, y, valve_open), circuit, dydt + e.first_state);
   Scalar* of_integrals = dydt + state_count() - integral_count();
   for (int number : integrals_) *of_integrals++ = observable(number, now, y, valve_open, circuit);
+  if (balances_) balance_rates(now, y, valve_open, Q, circuit, of_integrals);
+}
+
+template <class Scalar>
+void Network<Scalar>::balance_rates(Instant now, const Scalar* y, std::span<const int> valve_open,
+                                    std::span<const double> Q, const NodalCircuit<Scalar>& circuit,
+                                    Scalar* rates) const
+{
+  Exchange<Scalar> total;
+  for (const double into : Q) total.inflow += into;
+  for (const Placed& e : elements_) {
+    const Exchange<Scalar> of_element = e.element->exchange(now, local_state(e, y, valve_open), circuit);
+    total.inflow += of_element.inflow;
+    total.work += of_element.work;
+    total.loss += of_element.loss;
+  }
+  rates[0] = total.inflow;
+  rates[1] = total.work;
+  rates[2] = total.loss;
 }
 
 template <class Scalar>
@@ -207,6 +237,18 @@ Scalar Network<Scalar>::volume(const NetworkState<Scalar>& state) const
   for (const Placed& e : elements_)
     sum += e.element->volume(local_state(e, state.y.data(), state.valve_open));
   return sum;
+}
+
+template <class Scalar>
+Balance Network<Scalar>::balance(const NetworkState<Scalar>& state) const
+{
+  if (!balances_) throw std::logic_error("the network's spec asks for no balance");
+  const auto* integral = state.y.data() + state_count() - kBalanceTerms;
+  Scalar energy = 0.0;
+  for (const Placed& e : elements_)
+    energy += e.element->energy(local_state(e, state.y.data(), state.valve_open));
+  return {value_of(integral[0]), value_of(integral[1]), value_of(integral[2]), value_of(volume(state)),
+          value_of(energy)};
 }
 
 template <class Scalar>

@@ -2,7 +2,8 @@
 //     y' = g(t, y; valves, Q)        p = p(t, y; valves, Q)  at the ports
 // with y the elements' states, Q the flows through the ports (ml/s, positive INTO the network) and p the
 // pressures of the port nodes (mmHg). Each evaluation first finds all node pressures (nodal_circuit.hpp).
-// Behind the elements' states stand the integrals over time that the spec asks for, from 0 at the start.
+// Behind the elements' states stand the integrals over time that the spec asks for, from 0 at the start, last those
+// of the balance of volume and energy.
 // mmHg, ml, s. Immutable once built; it knows nothing of time stepping. With `Dual` all that it returns
 // carries the derivatives along the parameters named at construction.
 #pragma once
@@ -24,6 +25,17 @@ struct Quantity {
   std::string unit;
 };
 
+/// Blood and energy of a network: what has come and gone since the start, and what is in it. Without ports and
+/// without errors of integration, volume - inflow and energy - work + loss stay what they were.
+struct Balance {
+  double inflow =
+      0;            ///< ml, from sources and through ports, less what runs off through peripheral resistances
+  double work = 0;  ///< mmHg ml, of sources and contracting walls on the blood
+  double loss = 0;  ///< mmHg ml, in resistances
+  double volume = 0;  ///< ml in all elements
+  double energy = 0;  ///< mmHg ml in compliances and inertances
+};
+
 template <class Scalar>
 class Network {
  public:
@@ -31,7 +43,7 @@ class Network {
   explicit Network(const NetworkSpec& spec, std::span<const std::string> seeded = {});
 
   int state_count() const { return static_cast<int>(states_.size()); }
-  int integral_count() const { return static_cast<int>(integrals_.size()); }
+  int integral_count() const { return static_cast<int>(integrals_.size()) + (balances_ ? kBalanceTerms : 0); }
   int valve_count() const { return static_cast<int>(valves_.size()); }
   int port_count() const { return static_cast<int>(port_nodes_.size()); }
   int node_count() const { return static_cast<int>(node_names_.size()); }
@@ -56,6 +68,8 @@ class Network {
   Scalar next_kink(double t) const;
   /// Blood in all elements (ml), and whether its total can change only through the ports: a closed loop.
   Scalar volume(const NetworkState<Scalar>& state) const;
+  /// Of a network whose spec asks for it; else std::logic_error.
+  Balance balance(const NetworkState<Scalar>& state) const;
   bool keeps_volume() const;
 
   // For integrators. `circuit` is scratch of this network (`make_circuit`); after a call it holds the
@@ -76,6 +90,8 @@ class Network {
  private:
   void place(std::unique_ptr<Element<Scalar>> element);
   void add_integrals(const std::vector<std::string>& names);
+  void add_balance();
+  static constexpr int kBalanceTerms = 3;  ///< the first three of `Balance`, as the last states
   struct Placed {
     std::unique_ptr<Element<Scalar>> element;
     int first_state;
@@ -83,6 +99,9 @@ class Network {
   };
   LocalState<Scalar> local_state(const Placed& placed, const Scalar* y,
                                  std::span<const int> valve_open) const;
+  /// Rates of the balance's terms, in order.
+  void balance_rates(Instant now, const Scalar* y, std::span<const int> valve_open, std::span<const double> Q,
+                     const NodalCircuit<Scalar>& circuit, Scalar* rates) const;
   Scalar observable(int number, Instant now, const Scalar* y, std::span<const int> valve_open,
                     const NodalCircuit<Scalar>& circuit) const;
   NodalCircuit<Scalar> circuit_at(const NetworkState<Scalar>& state, std::span<const double> Q) const;
@@ -94,6 +113,7 @@ class Network {
   std::vector<int> port_nodes_;
   std::vector<Quantity> observables_;
   std::vector<int> integrals_;  ///< numbers of the integrated observables
+  bool balances_ = false;
 };
 
 using LumpedNetwork = Network<double>;

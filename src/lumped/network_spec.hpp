@@ -23,6 +23,7 @@ struct NetworkSpec {
   std::vector<std::string> ports;           ///< nodes that meet a 3D opening, in the order of the port flows
   double period_s = 0.0;                    ///< length of a heart beat; 0: the case names none
   std::vector<std::string> integrals = {};  ///< observables ("Q_aortic_ml_s") whose time integrals are states
+  bool balance = false;                     ///< integrate what `Balance` counts (network.hpp) as well
 };
 
 }  // namespace valsalva::lumped

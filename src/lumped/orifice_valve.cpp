@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "common/units.hpp"
-#include "lumped/branch.hpp"
 
 namespace valsalva::lumped {
 
@@ -37,21 +36,48 @@ void OrificeValve<Scalar>::connect(Instant, LocalState<Scalar> state, NodalCircu
 }
 
 template <class Scalar>
+Branch<Scalar> OrificeValve<Scalar>::branch_at(const Scalar& area) const
+{
+  return {R_, density_ * length_ / area, 0.5 * density_ / (area * area)};
+}
+
+template <class Scalar>
+Scalar OrificeValve<Scalar>::opening_rate(LocalState<Scalar> state, const Scalar& dp) const
+{
+  const Scalar& zeta = state.y[1];
+  return state.open ? (1.0 - zeta) * opening_ * dp : zeta * closing_ * dp;
+}
+
+template <class Scalar>
 void OrificeValve<Scalar>::rates(Instant, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit,
                                  Scalar* dydt) const
 {
   const Scalar dp = pressure_drop(circuit);
-  const Scalar &Q = state.y[0], &zeta = state.y[1];
-  const Scalar area = area_closed_ + (area_open_ - area_closed_) * zeta;
-  const Scalar B = 0.5 * density_ / (area * area), L = density_ * length_ / area;
-  dydt[0] = flow_rate_of_change(dp, Q, R_, L, B);
-  dydt[1] = state.open ? (1.0 - zeta) * opening_ * dp : zeta * closing_ * dp;
+  dydt[0] = branch_at(area(state)).rate(dp, state.y[0]);
+  dydt[1] = opening_rate(state, dp);
 }
 
 template <class Scalar>
 Scalar OrificeValve<Scalar>::flow(Instant, LocalState<Scalar> state, const NodalCircuit<Scalar>&) const
 {
   return state.y[0];
+}
+
+template <class Scalar>
+Scalar OrificeValve<Scalar>::energy(LocalState<Scalar> state) const
+{
+  return branch_at(area(state)).energy(state.y);
+}
+
+template <class Scalar>
+Exchange<Scalar> OrificeValve<Scalar>::exchange(Instant, LocalState<Scalar> state,
+                                                const NodalCircuit<Scalar>& circuit) const
+{
+  // The inertance rho l/A changes with the orifice; the Q^2/2 dL/dt that this takes or gives counts as loss.
+  const Scalar A = area(state), &Q = state.y[0];
+  const Scalar area_rate = (area_open_ - area_closed_) * opening_rate(state, pressure_drop(circuit));
+  const Branch<Scalar> branch = branch_at(A);
+  return {.loss = branch.loss(Q) + 0.5 * Q * Q * branch.L * area_rate / A};
 }
 
 template <class Scalar>

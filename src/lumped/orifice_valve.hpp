@@ -13,6 +13,7 @@
 // Source: Mynard, Davidson, Penny & Smolich, Int J Numer Meth Biomed Engng 28 (2012) 626-641.
 #pragma once
 
+#include "lumped/branch.hpp"
 #include "lumped/element_types.hpp"
 
 namespace valsalva::lumped {
@@ -27,12 +28,23 @@ class OrificeValve final : public Element<Scalar> {
   void rates(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit,
              Scalar* dydt) const override;
   Scalar flow(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const override;
+  Scalar energy(LocalState<Scalar> state) const override;
+  Exchange<Scalar> exchange(Instant now, LocalState<Scalar> state,
+                            const NodalCircuit<Scalar>& circuit) const override;
   bool switches() const override { return true; }
   Scalar switch_margin(LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const override;
 
  private:
   using Element<Scalar>::node;
   using Element<Scalar>::pressure_drop;
+  /// cm^2.
+  Scalar area(LocalState<Scalar> state) const
+  {
+    return area_closed_ + (area_open_ - area_closed_) * state.y[1];
+  }
+  Branch<Scalar> branch_at(const Scalar& area) const;
+  /// d zeta/dt, 1/s.
+  Scalar opening_rate(LocalState<Scalar> state, const Scalar& dp) const;
 
   Scalar area_open_, area_closed_, length_, opening_, closing_, R_;
   Scalar density_;  ///< mmHg s^2/cm^2

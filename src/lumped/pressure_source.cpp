@@ -24,6 +24,14 @@ Scalar PressureSource<Scalar>::flow(Instant, LocalState<Scalar>, const NodalCirc
   return -circuit.flow_into_holder(node(0));
 }
 
+template <class Scalar>
+Exchange<Scalar> PressureSource<Scalar>::exchange(Instant now, LocalState<Scalar> state,
+                                                  const NodalCircuit<Scalar>& circuit) const
+{
+  const Scalar Q = flow(now, state, circuit);
+  return {.inflow = Q, .work = circuit.pressure(node(0)) * Q};
+}
+
 ElementType pressure_source_type()
 {
   return {.name = "pressure_source",

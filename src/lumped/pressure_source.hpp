@@ -22,6 +22,8 @@ class PressureSource final : public Element<Scalar> {
   NodeRole role(int) const override { return NodeRole::fixes; }
   void connect(Instant now, LocalState<Scalar> state, NodalCircuit<Scalar>& circuit) const override;
   Scalar flow(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const override;
+  Exchange<Scalar> exchange(Instant now, LocalState<Scalar> state,
+                            const NodalCircuit<Scalar>& circuit) const override;
   Scalar next_kink(double t) const override { return pressure_.next_kink(t); }
   bool keeps_volume() const override { return false; }
 

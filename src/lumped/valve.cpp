@@ -41,6 +41,19 @@ Scalar Valve<Scalar>::flow(Instant, LocalState<Scalar> state, const NodalCircuit
 }
 
 template <class Scalar>
+Scalar Valve<Scalar>::energy(LocalState<Scalar> state) const
+{
+  return branch_.energy(state.y);
+}
+
+template <class Scalar>
+Exchange<Scalar> Valve<Scalar>::exchange(Instant now, LocalState<Scalar> state,
+                                         const NodalCircuit<Scalar>& circuit) const
+{
+  return {.loss = branch_.loss(flow(now, state, circuit))};
+}
+
+template <class Scalar>
 Scalar Valve<Scalar>::switch_margin(LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const
 {
   if (!state.open) return kBand - pressure_drop(circuit);

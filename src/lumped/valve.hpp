@@ -27,6 +27,9 @@ class Valve final : public Element<Scalar> {
   void rates(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit,
              Scalar* dydt) const override;
   Scalar flow(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const override;
+  Scalar energy(LocalState<Scalar> state) const override;
+  Exchange<Scalar> exchange(Instant now, LocalState<Scalar> state,
+                            const NodalCircuit<Scalar>& circuit) const override;
   bool switches() const override { return true; }
   Scalar switch_margin(LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const override;
   void on_switch(bool open, Scalar* y) const override;

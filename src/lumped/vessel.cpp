@@ -49,6 +49,20 @@ Scalar Vessel<Scalar>::flow(Instant, LocalState<Scalar> state, const NodalCircui
 }
 
 template <class Scalar>
+Scalar Vessel<Scalar>::energy(LocalState<Scalar> state) const
+{
+  const Scalar of_flow = branch_.energy(state.y);
+  return has_wall() ? of_flow + 0.5 * C_ * state.y[wall()] * state.y[wall()] : of_flow;
+}
+
+template <class Scalar>
+Exchange<Scalar> Vessel<Scalar>::exchange(Instant now, LocalState<Scalar> state,
+                                          const NodalCircuit<Scalar>& circuit) const
+{
+  return {.loss = branch_.loss(flow(now, state, circuit))};
+}
+
+template <class Scalar>
 Scalar Vessel<Scalar>::volume(LocalState<Scalar> state) const
 {
   return has_wall() ? C_ * state.y[wall()] : Scalar(0.0);

@@ -30,6 +30,9 @@ class Vessel final : public Element<Scalar> {
   void rates(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit,
              Scalar* dydt) const override;
   Scalar flow(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const override;
+  Scalar energy(LocalState<Scalar> state) const override;
+  Exchange<Scalar> exchange(Instant now, LocalState<Scalar> state,
+                            const NodalCircuit<Scalar>& circuit) const override;
   Scalar volume(LocalState<Scalar> state) const override;
 
  private:

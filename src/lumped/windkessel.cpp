@@ -60,6 +60,26 @@ Scalar Windkessel<Scalar>::flow(Instant now, LocalState<Scalar> state,
 }
 
 template <class Scalar>
+Scalar Windkessel<Scalar>::energy(LocalState<Scalar> state) const
+{
+  const Scalar of_wall = 0.5 * C_ * state.y[0] * state.y[0];
+  return has_inertance_ ? of_wall + 0.5 * L_ * state.y[1] * state.y[1] : of_wall;
+}
+
+template <class Scalar>
+Exchange<Scalar> Windkessel<Scalar>::exchange(Instant now, LocalState<Scalar> state,
+                                              const NodalCircuit<Scalar>& circuit) const
+{
+  const Scalar Q = flow(now, state, circuit);
+  if (pressurises(now)) return {.inflow = -Q, .work = -circuit.pressure(node(0)) * Q};
+  const Scalar through_Rc = has_inertance_ ? Q - state.y[1] : Q;
+  const Scalar drop = state.y[0] - distal_pressure_, runoff = drop / Rp_;
+  return {.inflow = -runoff,
+          .work = -distal_pressure_ * runoff,
+          .loss = drop * runoff + Rc_ * through_Rc * through_Rc};
+}
+
+template <class Scalar>
 Scalar Windkessel<Scalar>::next_kink(double t) const
 {
   return t + kTimeResolution_s < pressurise_s_ ? pressurise_s_

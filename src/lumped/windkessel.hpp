@@ -32,6 +32,9 @@ class Windkessel final : public Element<Scalar> {
   void rates(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit,
              Scalar* dydt) const override;
   Scalar flow(Instant now, LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const override;
+  Scalar energy(LocalState<Scalar> state) const override;
+  Exchange<Scalar> exchange(Instant now, LocalState<Scalar> state,
+                            const NodalCircuit<Scalar>& circuit) const override;
   Scalar next_kink(double t) const override;
   Scalar volume(LocalState<Scalar> state) const override { return C_ * state.y[0]; }
   bool keeps_volume() const override { return false; }

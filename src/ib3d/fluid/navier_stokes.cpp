@@ -116,6 +116,14 @@ double NavierStokes::courant_rate() const
   return largest;
 }
 
+std::vector<double> NavierStokes::kinetic_outflow() const
+{
+  return opening_faces_.flow_of([&](const OpeningFaces::Face& f) {
+    const double w = u_[static_cast<std::size_t>(f.level)](f.patch, 2)(f.i, f.j, f.k);
+    return 0.5 * fluid_.density * w * w * w;
+  });
+}
+
 void NavierStokes::begin_step(const MacField& f, double dt)
 {
   std::vector<const MacField*> force(u_.size(), nullptr);

@@ -57,6 +57,8 @@ class NavierStokes {
   const FluidParameters& fluid() const { return fluid_; }
   const OpeningModes& modes() const { return modes_; }
 
+  /// What kinetic energy flows out through every opening now, erg/s: the sum of (rho/2) w^3 over its faces. Collective.
+  std::vector<double> kinetic_outflow() const;
   /// Largest of |u|/h + |v|/h + |w|/h over the cells (1/s): the CFL number per unit of time. Local to the rank.
   double courant_rate() const;
   /// Replaces the velocity (all faces of the local patches), forgetting the history: for initial conditions and tests.

@@ -1,0 +1,144 @@
+#!/usr/bin/python3
+"""Runs of several beats: they end when the beats repeat, and their books of volume and energy close.
+
+    beats_end.py VALSALVA ROOT repeating|continued|balanced
+"""
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+program, root, scenario = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
+COMPARED = ["stroke_volume_ml", "p_ao_mean_mmHg", "p_ao_systolic_mmHg", "p_ao_diastolic_mmHg"]
+found = []
+
+# A tube of fluid between a pressure and a Windkessel that fills within a few beats.
+TUBE = """
+[time]
+end_s = 1.0
+period_s = 0.02
+stop_when_periodic_within = 0.02
+dt_fixed_s = 1e-3
+[domain]
+size_cm = [1.0, 1.0, 2.0]
+[grid]
+finest_cm = 0.125
+[fluid]
+advection = "limited"
+[output]
+fields_every_s = 0
+pictures = false
+report = false
+[[opening]]
+name = "inlet"
+side = "z_lo"
+center_cm = [0.5, 0.5]
+radius_cm = 0.4
+port = "in"
+[[opening]]
+name = "outlet"
+side = "z_hi"
+center_cm = [0.5, 0.5]
+radius_cm = 0.4
+port = "out"
+[[element]]
+name = "source"
+type = "pressure_source"
+node = "in"
+pressure_mmHg = 1.0
+[[element]]
+name = "arteries"
+type = "windkessel3"
+node = "out"
+Rc_mmHg_s_ml = 0.02
+Rp_mmHg_s_ml = 0.5
+C_ml_mmHg = 0.1
+initial_pressure_mmHg = 0.0
+"""
+
+
+def expect(holds, message):
+    if not holds:
+        found.append(message)
+
+
+def run(case, out, *arguments):
+    done = subprocess.run([program, "run", str(case), "-o", str(out), *arguments], capture_output=True, text=True, timeout=100)
+    expect(done.returncode == 0, f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
+    with open(out / "beats.csv") as file:
+        return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+
+
+def change(before, now):
+    return max(abs(now[name] - before[name]) / max(abs(now[name]), abs(before[name])) for name in COMPARED)
+
+
+def expect_stopped_at_the_first_small_change(out, beats, tolerance):
+    changes = [change(a, b) for a, b in zip(beats, beats[1:])]
+    expect(len(changes) > 1, f"only {len(beats)} beats")
+    expect(changes[-1] < tolerance, f"stopped although the last beat changed by {changes[-1]}")
+    expect(all(c >= tolerance for c in changes[:-1]), f"went on after changes of {changes}")
+    words = f"periodic after {len(beats)} beats"
+    outcome = json.loads((out / "run.json").read_text())["outcome"]
+    expect(outcome == words, f"run.json says {outcome}, not {words}")
+    log = (out / "log.txt").read_text()
+    expect(words in log.rstrip().splitlines()[-1], f"log.txt does not end with: {words}")
+    expect(f"change from beat {len(beats) - 1}" in log, "no word of the change in log.txt")
+
+
+def repeating(scratch):
+    """A 0D heart, to a coarse and to a fine tolerance."""
+    lengths = []
+    for tolerance in [0.01, 0.0005]:
+        out = scratch / str(tolerance)
+        beats = run(root / "cases" / "lumped_heart", out, "--set", "output.pictures=false", "--set", "output.report=false",
+                    "--set", "time.end_s=40", "--set", f"time.stop_when_periodic_within={tolerance}")
+        expect_stopped_at_the_first_small_change(out, beats, tolerance)
+        lengths.append(len(beats))
+    expect(lengths[0] < lengths[1], f"a finer tolerance took no longer: {lengths} beats")
+
+
+def continued(scratch):
+    """A 3D run that is interrupted within a beat stops after the same beat as one that is not."""
+    case = scratch / "case.toml"
+    case.write_text(TUBE)
+    whole, out = scratch / "whole", scratch / "out"
+    beats = run(case, whole)
+    expect_stopped_at_the_first_small_change(whole, beats, 0.02)
+    end = 0.02 * (len(beats) - 1)
+    for end_s in [end - 0.013, end]:  # within the last beat but one, and between two that have to be compared
+        run(case, out, "--restart", "latest", "--set", f"time.end_s={end_s}")
+    expect(run(case, out, "--restart", "latest") == beats, "beats.csv is not that of the uninterrupted run")
+    expect_stopped_at_the_first_small_change(out, beats, 0.02)
+    expect(run(case, out, "--restart", "latest") == beats, "a run that had stopped went on")
+    finer = run(case, out, "--restart", "latest", "--set", "time.stop_when_periodic_within=0.01")
+    expect(len(finer) > len(beats) and finer[:len(beats)] == beats, "a smaller tolerance did not go on from there")
+    for beat in finer:
+        expect(beat["root_loss_mJ"] > 0, f"beat {beat['beat']:.0f}: the 3D tube gives energy: {beat['root_loss_mJ']} mJ")
+        expect(abs(beat["energy_residual_mJ"]) < 1e-3 * beat["source_work_mJ"], f"residual {beat['energy_residual_mJ']} mJ")
+        expect(abs(beat["volume_residual_ml"]) < 1e-6 * beat["stroke_volume_ml"], f"residual {beat['volume_residual_ml']} ml")
+
+
+def balanced(scratch):
+    """0D runs: to the integrator's tolerance in every beat."""
+    for case in ["lumped_heart", "four_chamber_loop"]:
+        for beat in run(root / "cases" / case, scratch / case, "--set", "output.pictures=false", "--set", "output.report=false"):
+            where = f"{case}, beat {beat['beat']:.0f}"
+            work = beat["source_work_mJ"]
+            expect(500 < work < 3000, f"{where}: {work} mJ of work")
+            expect(abs(beat["energy_residual_mJ"]) < 1e-6 * work, f"{where}: {beat['energy_residual_mJ']} of {work} mJ are left")
+            expect(abs(beat["volume_residual_ml"]) < 1e-6 * beat["stroke_volume_ml"], f"{where}: {beat['volume_residual_ml']} ml")
+            stored = beat["network_energy_change_mJ"]
+            expect(abs(work - beat["network_loss_mJ"] - stored) < 2e-6 * work, f"{where}: the columns do not add up")
+        # Once periodic nothing is stored, and a loop without sources neither gains nor loses blood.
+        expect(abs(stored) < 0.01 * work, f"{case}: the last beat stores {stored} of {work} mJ")
+        if case == "four_chamber_loop":
+            expect(beat["network_inflow_ml"] == 0, f"{case}: {beat['network_inflow_ml']} ml came in")
+
+
+with tempfile.TemporaryDirectory() as folder:
+    {"repeating": repeating, "continued": continued, "balanced": balanced}[scenario](pathlib.Path(folder))
+print("\n".join(found))
+sys.exit(1 if found else 0)
