@@ -7,6 +7,7 @@
 #include "common/comm.hpp"
 #include "common/progress.hpp"
 #include "coupling/coupled_run.hpp"
+#include "coupling/periodic_beats.hpp"
 
 namespace valsalva::coupling {
 
@@ -22,6 +23,7 @@ constexpr double kBytesPerCell = 8 * (4 * 3 + 3 + 8) + 4 * 8;
 
 std::string describe_case(const CaseFile& c)
 {
+  const PeriodicBeats refused_without_a_period(c);
   if (is_lumped(c)) {
     const lumped::LumpedNetwork network(network_from_case(c));
     return fmt::format("0D only: {} states, {} nodes, {} valves", network.state_count(), network.node_count(),
