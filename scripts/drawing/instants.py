@@ -3,7 +3,7 @@ import numpy as np
 
 from .run_output import Missing, columns_like, nearest, read_table
 
-FLOW_NAMES = ("out", "outlet", "valve", "aortic", "aortic_valve", "in", "inlet")
+FLOW_NAMES = ("out", "outlet", "aortic_root", "valve", "aortic", "aortic_valve", "in", "inlet")
 
 
 def main_flow(table):

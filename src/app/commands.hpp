@@ -22,6 +22,7 @@ struct Chosen {
 
 void add_run(CLI::App& app, Chosen& chosen);
 void add_fit(CLI::App& app, Chosen& chosen);
+void add_calibrate(CLI::App& app, Chosen& chosen);
 void add_check(CLI::App& app, Chosen& chosen);
 void add_keys(CLI::App& app, Chosen& chosen);
 void add_report(CLI::App& app, Chosen& chosen);

@@ -54,6 +54,7 @@ int main(int argc, char** argv)
     app.require_subcommand(1);
     app::add_run(app, chosen);
     app::add_fit(app, chosen);
+    app::add_calibrate(app, chosen);
     app::add_check(app, chosen);
     app::add_keys(app, chosen);
     app::add_report(app, chosen);

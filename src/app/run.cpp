@@ -30,7 +30,8 @@ int run(const RunArguments& arguments, Chosen& chosen, const Communicator& comm)
   const CaseFile case_file = read_case(arguments.of_case);
   coupling::RunOptions options = arguments.options;
   options.case_path = case_file.path();
-  if (options.out_dir.empty()) options.out_dir = common::usual_output_folder(options.case_path);
+  if (options.out_dir.empty())
+    options.out_dir = common::usual_output_folder(options.case_path) + (options.lumped ? "-lumped" : "");
   if (options.restart.empty()) common::check_output_folder(options.out_dir, options.force, comm);
   options.continue_command = continue_command(arguments.of_case, options.out_dir);
   try {
@@ -54,6 +55,9 @@ void add_run(CLI::App& app, Chosen& chosen)
   CLI::App* command = app.add_subcommand("run", "Run a case (3D-0D, or 0D alone, as the case says)");
   add_case_arguments(*command, arguments->of_case);
   command->add_option("-o,--out", arguments->options.out_dir, "Output folder (default: out/<case>)");
+  command->add_flag(
+      "--lumped", arguments->options.lumped,
+      "In 0D: the surrogate of the section [surrogate] in place of the 3D root (out/<case>-lumped)");
   command->add_flag("--force", arguments->options.force, "Replace the output of an earlier run");
   command->add_option("--restart", arguments->options.restart,
                       "Continue the run in the output folder from a checkpoint: a file, or latest");

@@ -15,6 +15,7 @@ KeyTable all_keys()
       {"", "About the case", {common::text("title", "One line about the case").or_else("")}});
   for (auto& section : numerics_sections()) table.sections.push_back(section);
   for (auto& section : structure_sections()) table.sections.push_back(section);
+  table.sections.push_back(surrogate_section());
   table.sections.push_back(output_section());
   table.sections.push_back(checkpoint_section());
   table.sections.push_back(fit_section());

@@ -1,3 +1,5 @@
+#include <map>
+
 #include "coupling/case_keys_parts.hpp"
 #include "lumped/element_types.hpp"
 
@@ -36,6 +38,27 @@ Key key_of(const lumped::ElementParameter& p)
 }
 
 }  // namespace
+
+KeySection surrogate_section()
+{
+  // From the 3D run of cases/aortic_root at h = 10/96 (docs/use/surrogate.md); the closed orifice hardly leaks.
+  const std::map<std::string, double> calibrated{{"area_open_cm2", 3.1},     {"area_closed_cm2", 1e-3},
+                                                 {"length_cm", 1.0},         {"opening_1_mmHg_s", 44.0},
+                                                 {"closing_1_mmHg_s", 2.95}, {"R_mmHg_s_ml", 0.0},
+                                                 {"L_mmHg_s2_ml", 0.0027}};
+  KeySection section{
+      "surrogate",
+      "The 0D element that stands for the 3D root in `run --lumped` and `time.start = \"periodic\"`; "
+      "see `valsalva calibrate`",
+      {}};
+  for (lumped::ElementParameter p : lumped::find_element_type("orifice_valve")->parameters) {
+    const auto value = calibrated.find(p.name);
+    if (value == calibrated.end()) continue;  // the density is that of [fluid]
+    p.default_number = value->second;
+    section.keys.push_back(key_of(p));
+  }
+  return section;
+}
 
 KeyArray element_array()
 {

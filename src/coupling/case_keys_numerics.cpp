@@ -17,6 +17,9 @@ std::vector<KeySection> numerics_sections()
              "beat before by less than this share; 0: go on to end_s")
             .in(0.0, 0.5)
             .or_else(0.0),
+        choice("start", {"rest", "periodic"},
+               "The network starts from its initial values, or from the periodic state of the case in 0D")
+            .or_else("rest"),
         real("cfl", "", "Largest dt (|u| + |v| + |w|)/h of an automatic step").in(0.05, 0.5).or_else(0.4),
         real("dt_max_s", "s", "Longest automatic step").in(1e-9, 1.0).or_else(2e-4),
         real("dt_fixed_s", "s", "Fixed step; 0: automatic steps").in(0.0, 1.0).or_else(0.0),

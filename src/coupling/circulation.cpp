@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "common/error.hpp"
 
 namespace valsalva::coupling {
@@ -22,6 +24,11 @@ std::vector<double> plain(const Eigen::VectorXd& v)
 
 Circulation::Circulation(const lumped::NetworkSpec& spec)
     : network_(spec), integrator_(network_), state_(network_.initial_state())
+{
+}
+
+Circulation::Circulation(const lumped::NetworkSpec& spec, lumped::LumpedState start)
+    : network_(spec), integrator_(network_), state_(std::move(start))
 {
 }
 

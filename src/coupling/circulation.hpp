@@ -19,8 +19,10 @@ namespace valsalva::coupling {
 
 class Circulation {
  public:
-  /// The network of `spec`; its ports in the order of the openings. Throws CaseError.
+  /// The network of `spec` from its initial state; its ports in the order of the openings. Throws CaseError.
   explicit Circulation(const lumped::NetworkSpec& spec);
+  /// The same from the given state.
+  Circulation(const lumped::NetworkSpec& spec, lumped::LumpedState start);
 
   const lumped::LumpedNetwork& network() const { return network_; }
   const lumped::LumpedState& state() const { return state_; }

@@ -120,6 +120,7 @@ std::string describe_model(const CaseFile& c, CaseModel& m)
     text +=
         fmt::format("step       elastic bound {:.2e} s at the start (2/omega_max; {:.0f} % of it is used)\n",
                     2 / omega, 100 * step_control_from_case(c).elastic_safety);
+  if (!m.start().text.empty()) text += m.start().text + '\n';
   return text + describe_coupling(c, m);
 }
 

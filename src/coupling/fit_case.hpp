@@ -1,6 +1,4 @@
-// `valsalva fit`: the free parameters of a 0D case to a measured beat. Writes
-//   fit.txt   the result for people        fit.json   the same for programs
-//   fit.csv   t_s and, per signal, data, model and residual
+// `valsalva fit`: the free parameters of a 0D case to a measured beat. Writes the files of fit_output.hpp.
 #pragma once
 
 #include <string>

@@ -11,38 +11,17 @@
 #include "common/output_folder.hpp"
 #include "common/stop_signal.hpp"
 #include "common/time_series.hpp"
+#include "coupling/aortic_valve.hpp"
+#include "coupling/network_start.hpp"
 #include "coupling/periodic_beats.hpp"
 #include "coupling/run_record.hpp"
+#include "coupling/surrogate.hpp"
 
 namespace valsalva::coupling {
 
 namespace {
 
 constexpr double kSampleInterval_s = 1e-3;
-
-/// The names of the observables that play the part of the aortic valve's flow and of the pressures beside it:
-/// the first valve from a chamber to a node without a chamber, else the first valve; empty without valves.
-struct AorticValve {
-  std::string flow, p_ventricle, p_aorta;
-  explicit AorticValve(const lumped::NetworkSpec& spec)
-  {
-    const auto is_chamber = [&](const std::string& node) {
-      return std::any_of(spec.elements.begin(), spec.elements.end(),
-                         [&](const auto& e) { return e.type == "chamber" && e.nodes.at("node") == node; });
-    };
-    const lumped::ElementSpec* aortic = nullptr;
-    for (const lumped::ElementSpec& v : spec.elements) {
-      if (v.type != "valve" && v.type != "orifice_valve") continue;
-      const bool leaves_heart = is_chamber(v.nodes.at("from")) && !is_chamber(v.nodes.at("to"));
-      if (!aortic || leaves_heart) aortic = &v;
-      if (leaves_heart) break;
-    }
-    if (!aortic) return;
-    flow = "Q_" + aortic->name + "_ml_s";
-    p_ventricle = "p_" + aortic->nodes.at("from") + "_mmHg";
-    p_aorta = "p_" + aortic->nodes.at("to") + "_mmHg";
-  }
-};
 
 /// The number of an observable, -1 if there is none of this name.
 int observable_number(const lumped::LumpedNetwork& network, const std::string& name)
@@ -57,19 +36,20 @@ int observable_number(const lumped::LumpedNetwork& network, const std::string& n
 int run_lumped(const CaseFile& c, const RunOptions& options)
 {
   if (!options.restart.empty())
-    throw CaseError(
-        "", "a case without [[opening]] takes seconds and has no checkpoints; run it anew with --force");
+    throw CaseError("", "a 0D run takes seconds and has no checkpoints; run it anew with --force");
   const Communicator comm;
   const Timers timers;
-  lumped::NetworkSpec spec = network_from_case(c);
-  const AorticValve aortic(spec);
-  if (!aortic.flow.empty()) spec.integrals = {aortic.flow};
-  spec.balance = true;
+  lumped::NetworkSpec given = lumped_network_from_case(c);
+  const AorticValve aortic = find_aortic_valve(given);
+  if (!aortic.flow.empty()) given.integrals = {aortic.flow};
+  given.balance = true;
   PeriodicBeats periodic(c);
   if (aortic.flow.empty() && c.section("time").real("stop_when_periodic_within") > 0)
     throw CaseError({c.section("time").problem("stop_when_periodic_within",
                                                "asks to compare beats, but the case has no valve from which "
                                                "beats are measured; leave this key out")});
+  const NetworkStart start = network_start(c, given);
+  const lumped::NetworkSpec& spec = start.spec;
   const lumped::LumpedNetwork network(spec);
   common::create_output_folder(options.out_dir, options.force, c.resolved_toml(), comm);
   common::catch_stop_signals();
@@ -77,9 +57,10 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
   log.line(c.section("").text("title"));
   log.line(fmt::format("0D only: {} states, {} nodes, {} valves\n", network.state_count(),
                        network.node_count(), network.valve_count()));
+  if (!start.text.empty()) log.line(start.text);
 
   const double end = c.section("time").real("end_s");
-  lumped::LumpedState state = network.initial_state();
+  lumped::LumpedState state = start.state;
   long steps = 0;
   bool stopped = false;
   if (comm.is_root()) {

@@ -1,5 +1,5 @@
-// A purely 0D run: the network of a case alone, through the same command, with the same openings.csv and
-// beats.csv.
+// A purely 0D run: the network of a case alone, a 3D root replaced by its surrogate, through the same command,
+// with the same openings.csv and beats.csv.
 #pragma once
 
 #include "coupling/model_from_case.hpp"
@@ -7,7 +7,7 @@
 
 namespace valsalva::coupling {
 
-/// As `run_case`, for a case without openings. Rank 0 computes; collective.
+/// As `run_case`, in 0D whatever the case. Rank 0 computes; collective.
 int run_lumped(const CaseFile& c, const RunOptions& options);
 
 }  // namespace valsalva::coupling

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "common/error.hpp"
@@ -175,13 +176,15 @@ StepControl step_control_from_case(const CaseFile& c)
   return {t.real("cfl"), t.real("elastic_safety"), t.real("dt_max_s"), t.real("dt_fixed_s")};
 }
 
-Structure structure_from_case(const CaseFile& c, const ib3d::Domain& domain, double h)
+Structure structure_from_case(const CaseFile& c, const ib3d::Domain& domain, double h, double valve_load_mmHg)
 {
   const CaseTable& t = c.section("structure");
   Structure structure;
   if (t.text("kind") == "aortic_root") {
+    ib3d::LeafletMaterial leaflets = leaflet_material(c);
+    leaflets.start_pressure_mmHg = std::max(leaflets.start_pressure_mmHg, valve_load_mmHg);
     ib3d::AorticRoot root =
-        ib3d::design_aortic_root(root_dimensions(c, domain), leaflet_material(c), wall_material(c), h);
+        ib3d::design_aortic_root(root_dimensions(c, domain), leaflets, wall_material(c), h);
     structure = {std::move(root.network), root.closed, root.start, true};
   } else if (t.text("kind") == "files") {
     if (t.text("files_prefix").empty())
@@ -206,11 +209,13 @@ lumped::NetworkSpec network_with_balance(const CaseFile& c)
 }  // namespace
 
 CaseModel::CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers)
-    : circulation_(network_with_balance(c)),
+    : start_(network_start(c, network_with_balance(c))),
+      circulation_(start_.spec, start_.state),
       domain_(domain_from_case(c)),
       refinement_(refinement_from_case(c)),
-      structure_(
-          structure_from_case(c, domain_, ib3d::finest_spacing(domain_, h_from_case(c), refinement_.levels))),
+      structure_(structure_from_case(c, domain_,
+                                     ib3d::finest_spacing(domain_, h_from_case(c), refinement_.levels),
+                                     start_.valve_load_mmHg)),
       root_(ib3d::Hierarchy(domain_, h_from_case(c), comm,
                             ib3d::refine(domain_, h_from_case(c), refinement_, structure_.network.X),
                             structure_.network.X),

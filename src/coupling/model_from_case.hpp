@@ -7,6 +7,7 @@
 #include "common/case_file.hpp"
 #include "coupling/coupled_model.hpp"
 #include "coupling/network_from_case.hpp"
+#include "coupling/network_start.hpp"
 #include "ib3d/grid/refinement.hpp"
 #include "ib3d/structure/aortic_root.hpp"
 
@@ -25,7 +26,9 @@ struct Structure {
   ib3d::LeafletShape closed, start;  ///< of kind "aortic_root" only
   bool is_root = false;
 };
-Structure structure_from_case(const CaseFile& c, const ib3d::Domain& domain, double h);
+/// The leaflets start in equilibrium with the larger of leaflets.start_pressure_mmHg and `valve_load_mmHg`.
+Structure structure_from_case(const CaseFile& c, const ib3d::Domain& domain, double h,
+                              double valve_load_mmHg = 0);
 
 /// Everything of a coupled run, built and owned together. Collective.
 class CaseModel {
@@ -36,11 +39,13 @@ class CaseModel {
 
   const ib3d::Hierarchy& grid() const { return root_.fluid().grid(); }
   const Structure& structure() const { return structure_; }
+  const NetworkStart& start() const { return start_; }
   ib3d::RootSolver& root() { return root_; }
   Circulation& circulation() { return circulation_; }
   CoupledModel& model() { return model_; }
 
  private:
+  NetworkStart start_;
   Circulation circulation_;
   ib3d::Domain domain_;
   ib3d::RefinementPolicy refinement_;

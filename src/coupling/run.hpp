@@ -10,6 +10,7 @@ namespace valsalva::coupling {
 struct RunOptions {
   std::string case_path;
   std::string out_dir;
+  bool lumped = false;           ///< in 0D, with the surrogate in place of the 3D root
   bool force = false;            ///< replace what is in `out_dir`
   std::string restart;           ///< checkpoint to continue from: a file, "latest", or empty for a new run
   std::string continue_command;  ///< what to type to continue this run, for people

@@ -121,7 +121,8 @@ Fit fit(const FitProblem& problem)
   for (const FitSummary& summary : problem.summaries)
     result.summaries.push_back(
         quality(summary.name, {0.0}, {summary.value}, summary.sd * least.r.segment(first++, 1)));
-  result.flags = fit_flags(result, unknowns);
+  result.flags = data_flags(problem);
+  for (const std::string& flag : fit_flags(result, unknowns)) result.flags.push_back(flag);
   return result;
 }
 

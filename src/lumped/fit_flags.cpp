@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lumped/element_types.hpp"
+
 namespace valsalva::lumped {
 
 namespace {
@@ -13,12 +15,27 @@ constexpr double kUnidentified = 1.0, kPoor = 0.3;  // relative standard deviati
 constexpr double kCollinear = 0.98;
 constexpr double kCorrelatedResiduals = 0.5;
 constexpr double kRoundingOfRange = 1e-6;  // residuals below are those of the integration
+constexpr double kRounding = 1e-6;         // of a sample interval
 constexpr double kTakesPart = 0.02;        // of the largest entry of a free direction
 
 double range(const std::vector<double>& values)
 {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return *high - *low;
+}
+
+/// Empty if the times cover one period, with or without the sample that closes it.
+std::string length_flag(const std::string& what, const std::vector<double>& t, double period)
+{
+  if (t.size() < 3) return "";
+  double interval = 0.0;
+  for (std::size_t n = 1; n < t.size(); ++n) interval = std::max(interval, t[n] - t[n - 1]);
+  const double length = t.back() - t.front() + interval;
+  if (std::abs(length - period) <= (1.0 + kRounding) * interval) return "";
+  return fmt::format(
+      "{} cover{} {:.4g} s (samples up to {:.4g} s apart), but the beat lasts time.period_s = {:.4g} s. "
+      "Set the period to the length of the measured beat, or cut the data to one beat.",
+      what, what.starts_with("The data") ? "" : "s", length, interval, period);
 }
 
 /// "only the combination of a and b is determined: ..."
@@ -85,6 +102,21 @@ std::vector<std::string> fit_flags(const Fit& fit, const std::vector<Unknown>& u
                       "a shape in the "
                       "data; the true standard deviations are about {:.1f} times the reported ones.",
                       q.name, q.lag_one, std::sqrt((1.0 + q.lag_one) / (1.0 - q.lag_one))));
+  return flags;
+}
+
+std::vector<std::string> data_flags(const FitProblem& problem)
+{
+  std::vector<std::string> flags;
+  if (!problem.periodic) return flags;
+  const auto add = [&](const std::string& what, const std::vector<double>& t) {
+    if (std::string flag = length_flag(what, t, problem.network.period_s); !flag.empty())
+      flags.push_back(flag);
+  };
+  for (const FitSignal& s : problem.signals) add("The data of " + s.name, s.t);
+  for (const ElementSpec& e : problem.network.elements)
+    if (e.words.count("column") > 0 && e.lists.count("time_s") > 0)
+      add("The table of " + element_key(e), e.lists.at("time_s"));
   return flags;
 }
 

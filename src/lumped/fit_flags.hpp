@@ -12,6 +12,9 @@ namespace valsalva::lumped {
 
 std::vector<std::string> fit_flags(const Fit& fit, const std::vector<Unknown>& unknowns);
 
+/// Sentences on data whose length is not that of the beat, of a periodic fit: signals, and tables of sources.
+std::vector<std::string> data_flags(const FitProblem& problem);
+
 /// The whole result as text for people: estimates with intervals, correlations, residuals, flags.
 std::string fit_text(const Fit& fit);
 

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/error.hpp"
+#include "lumped/element_types.hpp"
 
 namespace valsalva::lumped {
 
@@ -18,6 +20,26 @@ double after_start_up(const NetworkSpec& spec)
     if (const auto ramp = e.numbers.find("pressurise_s"); ramp != e.numbers.end())
       latest = std::max(latest, ramp->second);
   return spec.period_s * std::ceil(latest / spec.period_s);
+}
+
+/// A table that stops at its last value lets the network run down after one beat: there is a periodic state, but
+/// not the one that was meant.
+void check_sources_repeat(const NetworkSpec& spec)
+{
+  std::vector<CaseProblem> problems;
+  for (const ElementSpec& e : spec.elements) {
+    const auto beyond = e.words.find("beyond_table");
+    if (e.lists.count("time_s") == 0 || (beyond != e.words.end() && beyond->second == "repeat")) continue;
+    for (const auto& [key, values] : e.lists) {
+      const auto [least, most] = std::minmax_element(values.begin(), values.end());
+      if (key == "time_s" || values.empty() || *least == *most) continue;
+      problems.push_back(
+          {"", 0, 0, element_key(e, "beyond_table"),
+           "is \"hold\", so the source stays at the last value of its table after one beat and has "
+           "no periodic state to speak of; use beyond_table = \"repeat\"."});
+    }
+  }
+  if (!problems.empty()) throw CaseError(problems);
 }
 
 Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& v)
@@ -148,6 +170,7 @@ LimitCycle find_limit_cycle(const NetworkSpec& given, const std::vector<std::str
   spec.balance = false;
   if (spec.period_s <= 0.0)
     throw CaseError("time.period_s", "is missing; a periodic state needs the length of a beat.");
+  check_sources_repeat(spec);
   LumpedState state;
   if (guess) {
     state = *guess;

@@ -19,6 +19,7 @@ OrificeValve<Scalar>::OrificeValve(const ElementInput<Scalar>& input)
       opening_(input.number("opening_1_mmHg_s")),
       closing_(input.number("closing_1_mmHg_s")),
       R_(input.number("R_mmHg_s_ml")),
+      L_(input.number("L_mmHg_s2_ml")),
       density_(input.number("density_g_cm3") * common::mmHg_from_dyn_cm2(1.0))
 {
 }
@@ -38,14 +39,22 @@ void OrificeValve<Scalar>::connect(Instant, LocalState<Scalar> state, NodalCircu
 template <class Scalar>
 Branch<Scalar> OrificeValve<Scalar>::branch_at(const Scalar& area) const
 {
-  return {R_, density_ * length_ / area, 0.5 * density_ / (area * area)};
+  return {R_, L_ + density_ * length_ / area, 0.5 * density_ / (area * area)};
 }
 
 template <class Scalar>
-Scalar OrificeValve<Scalar>::opening_rate(LocalState<Scalar> state, const Scalar& dp) const
+Scalar OrificeValve<Scalar>::opening_rate(LocalState<Scalar> state, const Scalar& dv) const
 {
   const Scalar& zeta = state.y[1];
-  return state.open ? (1.0 - zeta) * opening_ * dp : zeta * closing_ * dp;
+  return state.open ? (1.0 - zeta) * opening_ * dv : zeta * closing_ * dv;
+}
+
+template <class Scalar>
+Scalar OrificeValve<Scalar>::drop_at_leaflets(LocalState<Scalar> state,
+                                              const NodalCircuit<Scalar>& circuit) const
+{
+  const Scalar dp = pressure_drop(circuit);
+  return dp - L_ * branch_at(area(state)).rate(dp, state.y[0]);
 }
 
 template <class Scalar>
@@ -54,7 +63,7 @@ void OrificeValve<Scalar>::rates(Instant, LocalState<Scalar> state, const NodalC
 {
   const Scalar dp = pressure_drop(circuit);
   dydt[0] = branch_at(area(state)).rate(dp, state.y[0]);
-  dydt[1] = opening_rate(state, dp);
+  dydt[1] = opening_rate(state, dp - L_ * dydt[0]);
 }
 
 template <class Scalar>
@@ -75,17 +84,18 @@ Exchange<Scalar> OrificeValve<Scalar>::exchange(Instant, LocalState<Scalar> stat
 {
   // The inertance rho l/A changes with the orifice; the Q^2/2 dL/dt that this takes or gives counts as loss.
   const Scalar A = area(state), &Q = state.y[0];
-  const Scalar area_rate = (area_open_ - area_closed_) * opening_rate(state, pressure_drop(circuit));
+  const Scalar area_rate =
+      (area_open_ - area_closed_) * opening_rate(state, drop_at_leaflets(state, circuit));
   const Branch<Scalar> branch = branch_at(A);
-  return {.loss = branch.loss(Q) + 0.5 * Q * Q * branch.L * area_rate / A};
+  return {.loss = branch.loss(Q) + 0.5 * Q * Q * (branch.L - L_) * area_rate / A};
 }
 
 template <class Scalar>
 Scalar OrificeValve<Scalar>::switch_margin(LocalState<Scalar> state,
                                            const NodalCircuit<Scalar>& circuit) const
 {
-  const Scalar dp = pressure_drop(circuit);
-  return kBand + (state.open ? dp : -dp);
+  const Scalar dv = drop_at_leaflets(state, circuit);
+  return kBand + (state.open ? dv : -dv);
 }
 
 namespace {
@@ -133,6 +143,13 @@ ElementType orifice_valve_type()
                       .default_number = 0.0,
                       .lowest = 0.0,
                       .meaning = "Viscous resistance"},
+                     {.name = "L_mmHg_s2_ml",
+                      .unit = "mmHg s^2/ml",
+                      .quantity = "an inertance",
+                      .default_number = 0.0,
+                      .lowest = 0.0,
+                      .meaning =
+                          "Inertance of vessels in series, whose pressure drop does not move the leaflets"},
                      positive("density_g_cm3", "g/cm^3", "a density", 1.06, 1.06, "Density of the blood")},
       .meaning = "Valve with leaflets that need time: orifice area A(zeta), Bernoulli loss rho Q|Q|/(2 A^2)",
       .factory = make_element<OrificeValve, double>,

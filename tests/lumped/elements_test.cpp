@@ -141,6 +141,34 @@ TEST(OrificeValve, ItsLeafletsOpenAndCloseByTheirRates)
   EXPECT_NEAR(state.y[0], -leak, 1e-3 * leak);
 }
 
+TEST(OrificeValve, ItsLeafletsDoNotFeelThePressureThatAcceleratesTheVessels)
+{
+  // At the start Q = 0 and A = A_closed, so that of dp the share Lv/(L + Lv) drops across the leaflets.
+  const double dp = 5.0, K = 12.0, L = 3.0, rho = common::mmHg_from_dyn_cm2(1.06), closed = 0.001;
+  const double Lv = rho / closed, t = 1e-8;
+  for (const double in_series : {0.0, L}) {
+    const LumpedNetwork network({{pressure_source("a", "a", dp),
+                                  {"v",
+                                   "orifice_valve",
+                                   {{"from", "a"}, {"to", "b"}},
+                                   {{"area_open_cm2", 3.0},
+                                    {"area_closed_cm2", closed},
+                                    {"opening_1_mmHg_s", K},
+                                    {"L_mmHg_s2_ml", in_series}},
+                                   {},
+                                   {}},
+                                  pressure_source("b", "b", 0.0)},
+                                 {},
+                                 0.0});
+    CvodeIntegrator integrator(network, 1e-11);
+    LumpedState state = network.initial_state();
+    integrator.advance(state, t, {}, {});
+    const double share = Lv / (in_series + Lv);
+    EXPECT_NEAR(state.y[1], K * dp * share * t, 1e-2 * K * dp * t * share);
+    EXPECT_NEAR(state.y[0], dp / (in_series + Lv) * t, 1e-2 * dp / Lv * t);
+  }
+}
+
 TEST(BadNetwork, AVesselThatIsNothingAndAJunctionWithoutPressureAreNamed)
 {
   const auto complaint = [](const NetworkSpec& spec) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "common/error.hpp"
 #include "lumped/limit_cycle.hpp"
 #include "lumped/specs.hpp"
 
@@ -201,6 +202,30 @@ TEST(Fit, ABoundThatHoldsIsReported)
   const Fit result = fit(problem);
   EXPECT_NEAR(result.estimates[2].value, 1.5, 1e-9);
   EXPECT_TRUE(is_flagged(result, {"arteries.C_ml_mmHg lies at its bound"}));
+}
+
+TEST(Fit, RefusesASourceThatHoldsItsLastValueInAPeriodicBeat)
+{
+  FitProblem problem = windkessel_problem(driven(0.033, 0.79, 1.75));
+  problem.network.elements[0] = flow_table("heart", "ao", {0.0, 0.1, 0.3, 0.79}, {0.0, 300.0, 0.0, 0.0});
+  try {
+    fit(problem);
+    FAIL() << "no CaseError";
+  } catch (const CaseError& error) {
+    EXPECT_NE(std::string(error.what()).find("use beyond_table = \"repeat\""), std::string::npos);
+  }
+  problem.network.elements[0].words["beyond_table"] = "repeat";
+  EXPECT_NO_THROW(fit(problem));
+}
+
+TEST(Fit, FlagsDataOfAnotherLengthThanTheBeat)
+{
+  FitProblem problem = windkessel_problem(driven(0.033, 0.79, 1.75));
+  EXPECT_FALSE(is_flagged(fit(problem), {"time.period_s"}));
+  problem.network.period_s = 0.803;  // less than a sample interval of 5 ms away
+  EXPECT_FALSE(is_flagged(fit(problem), {"time.period_s"}));
+  problem.network.period_s = 0.83;
+  EXPECT_TRUE(is_flagged(fit(problem), {"data of pressure cover 0.8 s", "time.period_s = 0.83 s"}));
 }
 
 }  // namespace valsalva::lumped::testing

@@ -66,6 +66,13 @@ const std::vector<std::string> kHeartParameters = {
     "ventricle.Emax_mmHg_ml", "ventricle.tau1_periods", "ventricle.n2",
     "ventricle.V0_ml",        "veins.pressure_mmHg",    "ventricle.initial_volume_ml"};
 
+NetworkSpec with_root()
+{
+  NetworkSpec spec = with_orifices();
+  spec.elements[3].numbers["L_mmHg_s2_ml"] = 0.0027;
+  return spec;
+}
+
 }  // namespace
 
 TEST(Sensitivities, FollowTheTrajectoryThroughValveEvents)
@@ -74,7 +81,7 @@ TEST(Sensitivities, FollowTheTrajectoryThroughValveEvents)
   resistive.elements[3].numbers["L_mmHg_s2_ml"] = 0.0;
   NetworkSpec bernoulli = left_heart();
   bernoulli.elements[3].numbers["B_mmHg_s2_ml2"] = 2e-5;
-  for (const NetworkSpec& spec : {left_heart(), resistive, bernoulli, with_orifices()}) {
+  for (const NetworkSpec& spec : {left_heart(), resistive, bernoulli, with_orifices(), with_root()}) {
     const LumpedNetwork network(spec);
     Tangents tangents(spec, kHeartParameters);
     CvodeIntegrator integrator(network, tangents, kRtol);
