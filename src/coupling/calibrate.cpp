@@ -95,9 +95,7 @@ lumped::FitProblem calibration_problem(const CaseFile& c, const TimeSeries& open
       pressure_source("outlet", ports.outlet_node, in_beat, trace("p_" + ports.outlet_node + "_mmHg")),
       surrogate_element(c)};
   const std::string root = kSurrogateName;
-  // Rates beyond these only make the equations stiff.
   problem.parameters = {{root + ".area_open_cm2", 0.05, 20.0},
-                        {root + ".opening_1_mmHg_s", 0.1, 200.0},
                         {root + ".closing_1_mmHg_s", 0.1, 200.0},
                         {root + ".L_mmHg_s2_ml", 1e-4, 0.1}};
   const std::string flow = "Q_" + ports.outlet + "_ml_s";

@@ -1,7 +1,7 @@
 // `valsalva calibrate`: the 0D surrogate of the root from a 3D run. The pressures that the run had at its two
-// openings drive the surrogate of its case over one beat, from rest; orifice, opening and closing rates and
-// inertance are found by least squares on the flow through the outlet. Both are taken every millisecond. Writes
-// the files of fit_output.hpp and surrogate.toml: the run's case with the calibrated [surrogate].
+// openings drive the surrogate of its case over one beat, from rest; open orifice, closing rate and inertance
+// are found by least squares on the flow through the outlet, taken every millisecond. Writes the files of
+// fit_output.hpp and surrogate.toml: the run's case with the calibrated [surrogate].
 #pragma once
 
 #include <string>
