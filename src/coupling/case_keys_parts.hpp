@@ -13,6 +13,7 @@ common::KeySection output_section();
 common::KeySection checkpoint_section();
 common::KeyArray opening_array();
 common::KeyArray refine_array();
+common::KeyArray markers_array();
 common::KeyArray element_array();  ///< one variant per element type of the lumped layer
 
 common::KeySection fit_section();
