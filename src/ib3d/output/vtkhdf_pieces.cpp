@@ -1,5 +1,7 @@
 #include "ib3d/output/vtkhdf_pieces.hpp"
 
+#include "common/comm.hpp"
+
 namespace valsalva::ib3d {
 
 namespace {
@@ -25,8 +27,12 @@ PieceFile::PieceFile(const std::string& path, double time_s, const std::vector<s
   file_.write_attribute("/VTKHDF", "Version", std::array<std::int64_t, 2>{1, 0});
   file_.write_attribute("/VTKHDF", "Type", std::string("UnstructuredGrid"));
 
+  const Communicator ranks(comm);
+  const bool some = ranks.any(!points.empty());
+  const bool has_piece =
+      !points.empty() || (!some && ranks.is_root());  // ParaView reads no file without a piece
   std::vector<std::int64_t> counts[3];
-  if (points.empty()) {
+  if (!has_piece) {
     cells.offsets.clear();
   } else {
     counts[0] = {std::ssize(points)};
