@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws the pictures of a run: draw_run.py OUT [OUT ...] writes OUT/pictures/*.png.
 
-flow_and_pressure, probes, leaflets_above, leaflets_side, midplane, step, centre_line, closing_ring, pv_loop; some
+flow_and_pressure, probes, leaflets_above, leaflets_side, midplane, markers, step, centre_line, closing_ring, pv_loop; some
 also as .svg. Needs no display and can be called while the run goes on. A picture whose input is not there is left out,
 with one line that says why.
 """
@@ -10,8 +10,8 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from drawing import (balances, centre_line, closing, leaflets, midplane, probes, pv_loop, steps, style,  # noqa: E402
-                     traces)
+from drawing import (balances, centre_line, closing, leaflets, markers, midplane, probes, pv_loop, steps,  # noqa: E402
+                     style, traces)
 from drawing.run_output import Missing  # noqa: E402
 
 PICTURES = [
@@ -19,6 +19,7 @@ PICTURES = [
     ("probes", probes.draw),
     ("leaflets_above, leaflets_side", leaflets.draw),
     ("midplane", midplane.draw),
+    ("markers", markers.draw),
     ("step", steps.draw),
     ("centre_line", centre_line.draw),
     ("closing_ring", closing.draw),
@@ -29,6 +30,7 @@ COLUMNS = [  # what the report shows: as wide as one column
     ("probes_column", lambda out, pictures: probes.draw(out, pictures, style.COLUMN_WIDTH, "probes_column")),
     ("leaflets_above_column, leaflets_side_column", leaflets.draw_columns),
     ("midplane_pressure, midplane_speed", midplane.draw_columns),
+    ("markers_column", markers.draw_column),
     ("step_column", lambda out, pictures: steps.draw(out, pictures, style.COLUMN_WIDTH, "step_column")),
     ("balances", balances.draw),
 ]

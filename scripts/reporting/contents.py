@@ -22,6 +22,8 @@ BEAT = [  # picture, title, caption
 VALVE = [
     ("leaflets_above_column.png", "Leaflets from the aorta", "Every line is a fibre."),
     ("leaflets_side_column.png", "Leaflets from the side", "Dots: section of the wall; grey line: annulus."),
+    ("markers_column.png", "Markers carried by the blood", "Within 0.3 cm of the plane through the axis, coloured by "
+     "where they set out; black: section of the leaflets."),
 ]
 PLANES = [
     ("midplane_pressure.png", "Pressure on the mid-plane", "With the boxes of every refined level of the grid."),

@@ -15,6 +15,33 @@ namespace {
 
 using namespace valsalva;
 
+constexpr const char* kAbout =
+    "Blood flow through the aortic valve: a 3D immersed boundary model of the root, coupled to a lumped\n"
+    "circulation. A case file (TOML) says what is simulated; a run writes a folder with tables, fields, "
+    "pictures\n"
+    "and a report.";
+
+constexpr const char* kFurther = R"(Examples:
+  valsalva check cases/aortic_root                   what the case will build, need and take
+  valsalva run cases/aortic_root -o out/first        one beat of the valve on one rank
+  mpirun -np 4 valsalva run cases/aortic_root        the same on four ranks, into out/aortic_root
+  valsalva run cases/aortic_root --restart latest    goes on from the last checkpoint
+  valsalva run cases/lumped_heart                    a circulation without a 3D part
+  valsalva keys > my_case.toml                       every key of a case with unit, range and default
+
+`valsalva COMMAND --help` tells more about a command.
+
+Files:
+  CASE/case.toml        the case; docs/keys.md lists its keys
+  out/CASE              the output folder unless -o names another; docs/outputs.md explains every file
+
+Exit codes:
+  0  done; also after SIGTERM or SIGINT, with a checkpoint written
+  1  a mistake of the program
+  2  bad case or command line: every mistake with its place, what is allowed and the repair
+  3  the numbers went bad: step, time and remedy; the output up to then stays
+  4  a file could not be read or written)";
+
 /// The exit code of a command line that ends here (--help, --version, a mistake), printed by one rank; -1 to
 /// go on.
 int parse(CLI::App& app, int argc, char** argv, const Communicator& comm)
@@ -48,7 +75,8 @@ int main(int argc, char** argv)
   {
     const Communicator comm;
     is_root = comm.is_root();
-    CLI::App app("Blood flow in the aortic root: immersed boundary 3D solver and lumped circulation");
+    CLI::App app(kAbout);
+    app.footer(kFurther);
     app.set_version_flag("--version",
                          fmt::format("valsalva {} ({})\n{}\n{}", kVersion, kGitHash, kCompiler, kLibraries));
     app.require_subcommand(1);

@@ -19,7 +19,7 @@ KeyTable all_keys()
   table.sections.push_back(output_section());
   table.sections.push_back(checkpoint_section());
   table.sections.push_back(fit_section());
-  table.arrays = {opening_array(), refine_array(), element_array()};
+  table.arrays = {opening_array(), refine_array(), markers_array(), element_array()};
   for (auto& array : fit_arrays()) table.arrays.push_back(array);
   return table;
 }

@@ -106,6 +106,25 @@ KeyArray refine_array()
           {}};
 }
 
+KeyArray markers_array()
+{
+  return {"markers",
+          "Passive markers that the flow carries, written with the structure",
+          {text("name", "Unique name of the group"),
+           reals("z_cm", "cm", "Heights of the planes across z in which they set out").at_least(0),
+           real("spacing_cm", "cm", "Distance of the markers within a plane").in(0.005, 10.0).or_else(0.1),
+           real("radius_cm", "cm", "Radius of the planes' discs; 0: the lumen of the aortic root")
+               .in(0.0, 100.0)
+               .or_else(0.0),
+           reals("center_cm", "cm", "Centre of the discs in x and y; absent: root.center_cm")
+               .of_count(2)
+               .optional(),
+           real("start_s", "s", "When they set out").at_least(0).or_else(0.0),
+           real("every_s", "s", "Others set out at this interval; 0: once").at_least(0).or_else(0.0),
+           real("end_s", "s", "None set out later; absent: until the end of the run").at_least(0).optional()},
+          {}};
+}
+
 KeySection checkpoint_section()
 {
   return {

@@ -14,7 +14,8 @@ common::KeySection checkpoint_section();
 common::KeyArray opening_array();
 common::KeyArray refine_array();
 common::KeySection surrogate_section();  ///< the numbers of an orifice_valve
-common::KeyArray element_array();        ///< one variant per element type of the lumped layer
+common::KeyArray markers_array();
+common::KeyArray element_array();  ///< one variant per element type of the lumped layer
 
 common::KeySection fit_section();
 std::vector<common::KeyArray> fit_arrays();  ///< fit_parameter, fit_signal, fit_target

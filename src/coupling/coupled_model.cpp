@@ -38,6 +38,7 @@ CoupledModel::CoupledModel(ib3d::RootSolver& root, Circulation& circulation, Cou
   const std::vector<double> none(static_cast<std::size_t>(circulation.port_count()), 0.0);
   interface_ = {circulation.state().t, circulation.pressures(none), none};
   flow_before_ = kinetic_outflow_ = none;
+  root_.seed_markers(t());
 }
 
 Eigen::MatrixXd CoupledModel::conductance() const
@@ -112,6 +113,7 @@ StepReport CoupledModel::advance(const ib3d::StepBound& step)
   circulation_.advance(dt, implicit ? flow_before_ : interface_.flow_ml_s, interface_.flow_ml_s);  // (4.4)
   interface_.t_s = t();
   interface_.pressure_mmHg = circulation_.pressures(interface_.flow_ml_s);
+  root_.seed_markers(t());
   dt_before_ = dt;
   ++step_;
   const ib3d::NavierStokes& fluid = root_.fluid();

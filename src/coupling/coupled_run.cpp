@@ -121,6 +121,11 @@ std::string describe_model(const CaseFile& c, CaseModel& m)
         fmt::format("step       elastic bound {:.2e} s at the start (2/omega_max; {:.0f} % of it is used)\n",
                     2 / omega, 100 * step_control_from_case(c).elastic_safety);
   if (!m.start().text.empty()) text += m.start().text + '\n';
+  std::size_t markers = 0;
+  for (const ib3d::MarkerSeed& seed : m.root().markers().seeds()) markers += seed.points.size();
+  if (markers > 0)
+    text += fmt::format("markers    {} each time they set out, in {} groups\n", markers,
+                        m.root().markers().seeds().size());
   return text + describe_coupling(c, m);
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "common/error.hpp"
+#include "coupling/marker_seeds.hpp"
 #include "ib3d/structure/fiber_files.hpp"
 
 namespace valsalva::coupling {
@@ -33,23 +34,6 @@ ib3d::PressureOptions pressure_from_case(const CaseFile& c)
 {
   const CaseTable& t = c.section("pressure");
   return {t.text("solver"), t.real("divergence_tolerance_1_s"), t.integer("max_iterations")};
-}
-
-ib3d::RootDimensions root_dimensions(const CaseFile& c, const ib3d::Domain& domain)
-{
-  const CaseTable& t = c.section("root");
-  ib3d::RootDimensions d;
-  d.annulus_radius = t.real("annulus_radius_cm");
-  d.annulus_z = t.real("annulus_z_cm");
-  d.commissure_height = t.real("commissure_height_cm");
-  d.sinus_end_z = t.real("sinus_end_z_cm");
-  d.sinus_bulge = t.real("sinus_bulge_cm");
-  d.ascending_radius = t.real("ascending_radius_cm");
-  d.end_flare_spacings = t.real("end_flare_spacings");
-  d.center[0] = t.reals("center_cm")[0];
-  d.center[1] = t.reals("center_cm")[1];
-  d.length = domain.size[2];
-  return d;
 }
 
 ib3d::WallMaterial wall_material(const CaseFile& c)
@@ -170,6 +154,23 @@ std::vector<ib3d::Opening> openings_from_case(const CaseFile& c, const ib3d::Dom
   return openings;
 }
 
+ib3d::RootDimensions root_dimensions_from_case(const CaseFile& c, const ib3d::Domain& domain)
+{
+  const CaseTable& t = c.section("root");
+  ib3d::RootDimensions d;
+  d.annulus_radius = t.real("annulus_radius_cm");
+  d.annulus_z = t.real("annulus_z_cm");
+  d.commissure_height = t.real("commissure_height_cm");
+  d.sinus_end_z = t.real("sinus_end_z_cm");
+  d.sinus_bulge = t.real("sinus_bulge_cm");
+  d.ascending_radius = t.real("ascending_radius_cm");
+  d.end_flare_spacings = t.real("end_flare_spacings");
+  d.center[0] = t.reals("center_cm")[0];
+  d.center[1] = t.reals("center_cm")[1];
+  d.length = domain.size[2];
+  return d;
+}
+
 StepControl step_control_from_case(const CaseFile& c)
 {
   const CaseTable& t = c.section("time");
@@ -184,7 +185,7 @@ Structure structure_from_case(const CaseFile& c, const ib3d::Domain& domain, dou
     ib3d::LeafletMaterial leaflets = leaflet_material(c);
     leaflets.start_pressure_mmHg = std::max(leaflets.start_pressure_mmHg, valve_load_mmHg);
     ib3d::AorticRoot root =
-        ib3d::design_aortic_root(root_dimensions(c, domain), leaflets, wall_material(c), h);
+        ib3d::design_aortic_root(root_dimensions_from_case(c, domain), leaflets, wall_material(c), h);
     structure = {std::move(root.network), root.closed, root.start, true};
   } else if (t.text("kind") == "files") {
     if (t.text("files_prefix").empty())
@@ -222,7 +223,9 @@ CaseModel::CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers)
             openings_from_case(c, domain_), fluid_from_case(c), pressure_from_case(c), structure_.network,
             c.section("structure").text("scheme") == "midpoint" ? ib3d::StructureScheme::midpoint
                                                                 : ib3d::StructureScheme::leapfrog,
-            timers, refinement_),
+            timers, refinement_,
+            marker_seeds_from_case(c, domain_,
+                                   ib3d::finest_spacing(domain_, h_from_case(c), refinement_.levels))),
       model_(root_, circulation_,
              c.section("coupling").text("scheme") == "explicit" ? CouplingScheme::explicit_
                                                                 : CouplingScheme::implicit_,

@@ -18,6 +18,7 @@ bool is_lumped(const CaseFile& c);
 ib3d::Domain domain_from_case(const CaseFile& c);
 ib3d::RefinementPolicy refinement_from_case(const CaseFile& c);
 std::vector<ib3d::Opening> openings_from_case(const CaseFile& c, const ib3d::Domain& domain);
+ib3d::RootDimensions root_dimensions_from_case(const CaseFile& c, const ib3d::Domain& domain);
 StepControl step_control_from_case(const CaseFile& c);
 
 /// The elastic structure and, for the aortic root, what form-finding found.

@@ -15,13 +15,6 @@ namespace valsalva::coupling {
 
 namespace {
 
-double peak_memory_mb()
-{
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
 std::string host_name()
 {
   char name[256] = "unknown";
@@ -49,9 +42,16 @@ std::string quoted(const std::string& text)
 
 }  // namespace
 
+double peak_memory_mb(const Communicator& comm)
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return comm.sum(1024 * static_cast<double>(usage.ru_maxrss) / 1e6);
+}
+
 void write_run_record(const std::string& folder, const RunRecord& r, const Communicator& comm)
 {
-  const double memory = comm.sum(peak_memory_mb());
+  const double memory = peak_memory_mb(comm);
   bool failed = false;
   if (comm.is_root()) {
     const std::string path = folder + "/run.json", part = path + ".part";

@@ -17,4 +17,7 @@ struct RunRecord {
 /// Writes folder/run.json on rank 0 (replaced as a whole). Collective.
 void write_run_record(const std::string& folder, const RunRecord& record, const Communicator& comm);
 
+/// The most memory that this program has held so far, MB, all ranks together. Collective.
+double peak_memory_mb(const Communicator& comm);
+
 }  // namespace valsalva::coupling

@@ -45,18 +45,23 @@ std::vector<int> group_of_nodes(const ib3d::FiberNetwork& whole)
 }  // namespace
 
 Snapshots::Snapshots(const std::string& folder, const CaseFile& c, CaseModel& model, const Communicator& comm)
-    : folder_(folder), model_(model), comm_(comm)
+    : folder_(folder),
+      model_(model),
+      comm_(comm),
+      has_structure_(model.structure().network.node_count() > 0),
+      has_markers_(model.root().markers().wanted())
 {
   const double never = std::numeric_limits<double>::infinity();
   fields_.every_s = c.section("output").real("fields_every_s");
   structure_.every_s = c.section("output").real("structure_every_s");
   if (fields_.every_s == 0) fields_.every_s = fields_.next_s = never;
-  if (structure_.every_s == 0 || model.structure().network.node_count() == 0)
+  if (structure_.every_s == 0 || (!has_structure_ && !has_markers_))
     structure_.every_s = structure_.next_s = never;
   if (comm.is_root()) {
     for (const char* sub : {"fields", "structure"}) std::filesystem::create_directories(folder + "/" + sub);
     field_series_.emplace(folder + "/fields/fields.hdf.series");
-    structure_series_.emplace(folder + "/structure/leaflets.hdf.series");
+    if (has_structure_) structure_series_.emplace(folder + "/structure/leaflets.hdf.series");
+    if (has_markers_) marker_series_.emplace(folder + "/structure/markers.hdf.series");
   }
   comm.barrier();
 }
@@ -69,10 +74,17 @@ void Snapshots::write_due()
     fields_.done(t);
   }
   if (structure_.due(t)) {
-    if (structure_.count == 0) write_structure("wall.hdf", t, true);
-    const std::string name = ib3d::numbered_file("leaflets", structure_.count);
-    write_structure(name, t, false);
-    if (structure_series_) structure_series_->add(name, t);
+    if (has_structure_) {
+      if (structure_.count == 0) write_structure("wall.hdf", t, true);
+      const std::string name = ib3d::numbered_file("leaflets", structure_.count);
+      write_structure(name, t, false);
+      if (structure_series_) structure_series_->add(name, t);
+    }
+    if (has_markers_) {
+      const std::string name = ib3d::numbered_file("markers", structure_.count);
+      write_markers(name, t);
+      if (marker_series_) marker_series_->add(name, t);
+    }
     structure_.done(t);
   }
 }
@@ -85,7 +97,8 @@ void Snapshots::save_or_restore(Checkpoint& c)
   for (Schedule* s : {&fields_, &structure_}) s->plan_after(model_.model().t());
   common::on_root(comm_, [&] {
     field_series_->cut_to(fields_.count);
-    structure_series_->cut_to(structure_.count);
+    if (structure_series_) structure_series_->cut_to(structure_.count);
+    if (marker_series_) marker_series_->cut_to(structure_.count);
   });
 }
 
@@ -140,6 +153,21 @@ void Snapshots::write_structure(const std::string& name, double t, bool wall)
     picture.strain.push_back(static_cast<float>(length / springs.rest_length[s] - 1));
   }
   ib3d::write_fibers(folder_ + "/structure/" + name, t, picture, names, comm_.raw());
+}
+
+void Snapshots::write_markers(const std::string& name, double t)
+{
+  const ib3d::Markers& markers = model_.root().markers();
+  std::vector<std::string> names;
+  for (const ib3d::MarkerSeed& seed : markers.seeds()) names.push_back(seed.name);
+  ib3d::MarkerPicture picture;
+  for (const ib3d::Marker& m : markers.local()) {
+    picture.points.push_back(m.X);
+    picture.id.push_back(m.id);
+    picture.group.push_back(m.group);
+    picture.age.push_back(static_cast<float>(t - m.seeded_s));
+  }
+  ib3d::write_markers(folder_ + "/structure/" + name, t, picture, names, comm_.raw());
 }
 
 }  // namespace valsalva::coupling

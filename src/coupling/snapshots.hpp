@@ -1,5 +1,5 @@
 // Fields and structure at regular times, as files that ParaView opens: fields/fields_NNNN.hdf,
-// structure/leaflets_NNNN.hdf, and structure/wall.hdf once (the wall hardly moves). All calls are collective.
+// structure/leaflets_NNNN.hdf and structure/markers_NNNN.hdf, and structure/wall.hdf once (the wall hardly moves). All calls are collective.
 #pragma once
 
 #include <cmath>
@@ -40,12 +40,14 @@ class Snapshots {
   static constexpr double kSameTime_s = 1e-9;
   void write_fields(double t);
   void write_structure(const std::string& path, double t, bool wall);
+  void write_markers(const std::string& path, double t);
 
   std::string folder_;
   CaseModel& model_;
   Communicator comm_;
   Schedule fields_, structure_;
-  std::optional<ib3d::FileSeries> field_series_, structure_series_;  ///< on rank 0
+  bool has_structure_, has_markers_;
+  std::optional<ib3d::FileSeries> field_series_, structure_series_, marker_series_;  ///< on rank 0
 };
 
 }  // namespace valsalva::coupling

@@ -21,7 +21,7 @@ constexpr int kStepsBetweenElasticSweeps = 30;
 
 RootSolver::RootSolver(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
                        const PressureOptions& pressure, FiberNetwork structure, StructureScheme scheme,
-                       Timers& timers, RefinementPolicy refinement)
+                       Timers& timers, RefinementPolicy refinement, std::vector<MarkerSeed> seeds)
     : scheme_(scheme),
       timers_(timers),
       policy_(std::move(refinement)),
@@ -29,6 +29,7 @@ RootSolver::RootSolver(const Hierarchy& grid, std::vector<Opening> openings, con
       nodes_(std::move(structure), grid.finest()),
       interaction_(grid.finest()),
       elastic_(grid.finest(), fluid.density),
+      markers_(std::move(seeds)),
       f_(grid.finest()),
       X_(nodes_.part().network.X),
       X_of_cuts_(nodes_.whole().X),
@@ -92,6 +93,10 @@ void RootSolver::accept(const std::vector<double>& phi)
     }
     nodes_.fill_copies(X_);
   }
+  if (markers_.wanted()) {
+    const auto scope = timers_.time("markers");
+    markers_.advance(fluid_->grid(), fluid_->u_before(), fluid_->u(), dt_);
+  }
   const auto scope = timers_.time("step control");
   check_and_redistribute(dt_ * fastest / fluid_->grid().finest().h);
 }
@@ -142,6 +147,7 @@ void RootSolver::rebuild(const Refinement& boxes, const std::vector<Vec3>& X)
   f_ = MacField(grid.finest());
   X_ = nodes_.part().network.X;
   X_of_cuts_ = X_of_grid_ = X;
+  markers_.settle(grid);
 }
 
 double RootSolver::elastic_rate()
@@ -174,6 +180,7 @@ void RootSolver::save_or_restore(Checkpoint& c)
   if (c.reading()) check_and_redistribute(0);  // other ranks may have other patches
   elastic_.save_or_restore(c, nodes_);
   c("structure/steps_since_elastic", steps_since_elastic_);
+  markers_.save_or_restore(c, fluid_->grid());
 }
 
 }  // namespace valsalva::ib3d

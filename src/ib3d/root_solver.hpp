@@ -15,6 +15,7 @@
 #include "common/timers.hpp"
 #include "ib3d/fluid/navier_stokes.hpp"
 #include "ib3d/grid/refinement.hpp"
+#include "ib3d/interaction/markers.hpp"
 #include "ib3d/time_step.hpp"
 
 namespace valsalva::ib3d {
@@ -23,15 +24,17 @@ enum class StructureScheme { leapfrog, midpoint };
 
 class RootSolver {
  public:
-  /// `refinement` says when and how the grid follows the structure and the flow. Throws SolverError when a node lies
-  /// outside the domain.
+  /// `refinement` says when and how the grid follows the structure and the flow, `seeds` where passive markers set out.
+  /// Throws SolverError when a node lies outside the domain.
   RootSolver(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
              const PressureOptions& pressure, FiberNetwork structure, StructureScheme scheme, Timers& timers,
-             RefinementPolicy refinement = {});
+             RefinementPolicy refinement = {}, std::vector<MarkerSeed> seeds = {});
 
   void begin_step(double dt);
   std::vector<double> solve_fluid(const std::vector<double>& opening_pressure);
   void accept(const std::vector<double>& phi);
+  /// Lets the markers set out that are due at time t: at the start, and after every step.
+  void seed_markers(double t) { markers_.seed_due(fluid_->grid(), t); }
 
   /// Largest of |u| + |v| + |w| over h in the current velocity (1/s), the same on all ranks.
   double courant_rate() const { return courant_rate_; }
@@ -45,6 +48,7 @@ class RootSolver {
   const NodeOwner& nodes() const { return nodes_; }
   /// Positions of the local nodes, owned ones first, copies after them (current up to the last `accept`).
   const std::vector<Vec3>& X() const { return X_; }
+  const Markers& markers() const { return markers_; }
 
   /// Everything at t^n, between steps. Collective.
   void save_or_restore(Checkpoint& c);
@@ -63,6 +67,7 @@ class RootSolver {
   NodeOwner nodes_;
   Interaction interaction_;
   ElasticBound elastic_;
+  Markers markers_;
   MacField f_;
   std::vector<Vec3> X_, X_middle_, U_, U_before_, F_;
   double dt_ = 0, courant_rate_ = 0;

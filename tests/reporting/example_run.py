@@ -60,7 +60,8 @@ def write(out, scale=1.0, outcome="finished"):
     for frame, time in enumerate(np.linspace(0, 0.8, FRAMES)):
         _structure(out / "structure" / f"leaflets_{frame:04d}.hdf", time, float(flow(np.array([time]))[0]) / PEAK)
         _fields(out / "fields" / f"fields_{frame:04d}.hdf", time)
-    for folder, stem in (("fields", "fields"), ("structure", "leaflets")):
+        _markers(out / "structure" / f"markers_{frame:04d}.hdf", time)
+    for folder, stem in (("fields", "fields"), ("structure", "leaflets"), ("structure", "markers")):
         files = [{"name": f"{stem}_{i:04d}.hdf", "time": t} for i, t in enumerate(np.linspace(0, 0.8, FRAMES))]
         (out / folder / f"{stem}.hdf.series").write_text(json.dumps({"file-series-version": "1.0", "files": files}))
 
@@ -88,6 +89,20 @@ def _structure(path, time, opening):
         for what, n in (("Points", len(points)), ("Cells", len(lines)), ("ConnectivityIds", 2 * len(lines))):
             data[f"NumberOf{what}"] = np.array([n])
         file.attrs["group_names"] = np.bytes_("leaflet 1\nleaflet 2\nleaflet 3")
+        file.attrs["time_s"] = np.array([time])
+
+
+def _markers(path, time):
+    """Two planes of 9 x 9 markers below and above the leaflets, the lower one carried upwards during ejection."""
+    x, y = (a.ravel() for a in np.meshgrid(np.linspace(1.2, 2.8, 9), np.linspace(1.2, 2.8, 9)))
+    carried = 5 * np.clip((time - 0.1) / EJECTION, 0, 1)
+    with h5py.File(path, "w") as file:
+        data = file.create_group("VTKHDF")
+        data["Points"] = np.concatenate([np.stack([x, y, 0 * x + z], axis=1) for z in (1 + carried, 4)]).astype("f4")
+        data["PointData/id"] = np.arange(162, dtype="i4")
+        data["PointData/group"] = np.repeat([0, 1], 81).astype("i4")
+        data["PointData/age_s"] = np.full(162, time, "f4")
+        file.attrs["group_names"] = np.bytes_("ventricle\naorta")
         file.attrs["time_s"] = np.array([time])
 
 

@@ -64,7 +64,7 @@ with tempfile.TemporaryDirectory() as scratch:
         expect(len(set(frames[view])) > 6, f"the images of {view} do not move")
     expect(f"{example_run.FORWARD_ML - example_run.CLOSING_ML:.1f} ml" in text, "the stroke volume is missing")
     expect("Made up &lt;b&gt;&amp; more" in text, "the title is not escaped")
-    for words in ("From the aorta", "boxes of every refined level", "Where the time went", "spread", "finest_cm = 0.1"):
+    for words in ("From the aorta", "Markers carried by the blood", "boxes of every refined level", "Where the time went", "spread", "finest_cm = 0.1"):
         expect(words in text, f"'{words}' is missing")
     gif = (whole / "pictures" / "valve.gif").read_bytes()
     expect(gif[:6] == b"GIF89a", "valve.gif is no GIF")

@@ -4,21 +4,20 @@
     figures.py RUN [-o FOLDER]
 
 Writes FOLDER/figures/figure_2.png ... figure_7.png and FOLDER/README.md, the page beside this script with its table
-filled in from the run. Without -o it does so in place. Figure 4 needs markers in RUN/structure.
+filled in from the run. Without -o it does so in place. Figure 4 needs markers in RUN/structure ([[markers]] of the case).
 """
 import argparse
 import sys
 from pathlib import Path
 
-import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parents[1] / "scripts"), str(HERE)]
 import statements  # noqa: E402
-from drawing import centre_line, closing, midplane, style  # noqa: E402
-from drawing.run_output import Fibers, Missing, leaflet_frames, nearest, read_series, wall_points  # noqa: E402
+from drawing import centre_line, closing, markers, midplane, style  # noqa: E402
+from drawing.run_output import Fibers, Missing, leaflet_frames, wall_points  # noqa: E402
 from drawing.scene import VIEWS, Scene, fit_annulus  # noqa: E402
 
 ZOOMS = ((0.4, 0.5), (0.405, 0.41))  # s, the paper's
@@ -72,26 +71,7 @@ def figure_3(out, folder):
 
 def figure_4(out, folder):
     """Passive markers just before and after opening, just before and after closing, near the plane y of the axis."""
-    frames = read_series(out / "structure", "markers")
-    axis = fit_annulus(Fibers(leaflet_frames(out)[0][1]))[0]
-    wall = midplane.wall_near(out, axis[1])
-    figure, axes = plt.subplots(4, 1, sharex=True, figsize=(style.PAGE_WIDTH, 7.2))
-    for panel, (what, wanted) in zip(axes, statements.marker_instants(out)):
-        t, path = nearest(frames, wanted)
-        with h5py.File(path, "r") as file:
-            points = file["VTKHDF/Points"][:]
-        near = points[np.abs(points[:, 1] - axis[1]) < 0.3]
-        if wall is not None:
-            panel.plot(wall[:, 2], wall[:, 0], ".", color="#9a9a9a", markersize=1.2, markeredgewidth=0)
-        panel.plot(near[:, 2], near[:, 0], ".", color=style.AORTA, markersize=2.0, markeredgewidth=0)
-        cut = midplane.cut_at(leaflet_frames(out), t, axis[1])
-        panel.plot(cut[:, 2], cut[:, 0], ".", color=style.VENTRICLE, markersize=2.4, markeredgewidth=0)
-        panel.set_aspect("equal")
-        panel.set_ylabel("x (cm)")
-        panel.text(0, 1.03, f"{t:.3f} s   {what}", transform=panel.transAxes)
-    axes[-1].set_xlabel("z (cm)")
-    figure.tight_layout(pad=0.5)
-    style.save(figure, folder, "figure_4")
+    markers.draw(out, folder, "figure_4")
 
 
 def figure_5(out, folder):

@@ -8,7 +8,7 @@ import numpy as np
 from drawing.centre_line import axis_of, read_line
 from drawing.fields import boxes_of
 from drawing.instants import story
-from drawing.metrics import ejection, last_beat_of_run
+from drawing.metrics import last_beat_of_run
 from drawing.run_output import Fibers, Missing, leaflet_frames, nearest, read_series, read_table, wall_points
 from drawing.scene import fit_annulus, leaflet_points
 
@@ -40,15 +40,6 @@ def line_frames(out):
               ("closed again", instants.get("closed under load"))]
     fields = read_series(out / "fields")
     return [(what, *nearest(fields, t)) for what, t in wanted if t is not None]
-
-
-def marker_instants(out):
-    """[(what, time)] of the paper's figure 4."""
-    t, q = valve_flow(out)
-    start, end = ejection(t, q)
-    beat = last_beat_of_run(out) or {}
-    return [("just before opening", start), ("just after opening", start + 0.04), ("just before closing", end),
-            ("just after closing", beat.get("closing_s", end + 0.05))]
 
 
 def rows(out):

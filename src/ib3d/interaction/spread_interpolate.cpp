@@ -222,19 +222,19 @@ void Interaction::spread(std::span<const int> first, std::span<const Vec3> X, st
   faces_.accumulate(f);
 }
 
-void Interaction::interpolate(std::span<const int> first, std::span<const Vec3> X, const MacField& u,
-                              std::span<Vec3> U) const
+void interpolate(const Level& level, std::span<const int> first, std::span<const Vec3> X, const MacField& u,
+                 std::span<Vec3> U)
 {
-  const double inverse_h = 1 / level_.h;
-  const Inside inside(level_);
-  for (int p = 0; p < level_.local_count(); ++p) {
+  const double inverse_h = 1 / level.h;
+  const Inside inside(level);
+  for (int p = 0; p < level.local_count(); ++p) {
     const IndexBox stored = u(p, 0).stored();
     const std::ptrdiff_t sy = u(p, 0).stride(1), sz = u(p, 0).stride(2);
     const double* const origin[3] = {u(p, 0).data().data(), u(p, 1).data().data(), u(p, 2).data().data()};
     const auto q = static_cast<std::size_t>(p);
     for_each_support(first[q], first[q + 1], X, inverse_h, [&](std::size_t node, const Support& s) {
       if (!inside.holds(X[node])) {
-        U[node] = interpolate_mirrored(s, level_, u, p);
+        U[node] = interpolate_mirrored(s, level, u, p);
         return;
       }
       for (int c = 0; c < 3; ++c)

@@ -18,6 +18,10 @@ namespace valsalva::ib3d {
 /// How far (cells) a node may drift out of its patch before the nodes have to be distributed anew.
 inline constexpr double kNodeDrift = 1.0;
 
+/// U = J[X] u on one level; the ghosts of u must be filled.
+void interpolate(const Level& level, std::span<const int> first, std::span<const Vec3> X, const MacField& u,
+                 std::span<Vec3> U);
+
 class Interaction {
  public:
   explicit Interaction(const Level& level) : level_(level), faces_(Halo::for_faces(level)) {}
@@ -26,9 +30,12 @@ class Interaction {
   /// wall. Collective.
   void spread(std::span<const int> first, std::span<const Vec3> X, std::span<const Vec3> F,
               MacField& f) const;
-  /// U = J[X] u; the ghosts of u must be filled.
+  /// The same on its level.
   void interpolate(std::span<const int> first, std::span<const Vec3> X, const MacField& u,
-                   std::span<Vec3> U) const;
+                   std::span<Vec3> U) const
+  {
+    ib3d::interpolate(level_, first, X, u, U);
+  }
   /// Fills the ghosts of a velocity: between patches, then beyond the sides. Collective.
   void fill_ghosts(MacField& u) const;
 

@@ -1,8 +1,9 @@
 // Output that ParaView opens by itself: VTKHDF files (version 1.0), one per output time, shared by all ranks.
 //   OverlappingAMR    the fields on all levels; a level's blocks stand one after the other, x fastest
 //   UnstructuredGrid  the structure: springs as lines, points without one as vertices; a piece per rank
+//                     markers as vertices, a piece per rank
 //   ImageData         the fields at the cell centres of one uniform grid, for tools without refinement
-// Arrays are float32, their names carry the units: velocity_cm_s, pressure_mmHg, strain, force_dyn;
+// Arrays are float32, their names carry the units: velocity_cm_s, pressure_mmHg, strain, force_dyn, age_s;
 // `group` is the number of a point's group. The file's root has the attributes time_s and group_names
 // (one name a line). Name the files *.hdf: ParaView 5.11 finds no reader for .vtkhdf; their times belong
 // in a FileSeries. All functions are collective and throw IoError on all ranks.
@@ -46,6 +47,13 @@ struct FiberPicture {
   std::vector<Vec3> force;                ///< per point, dyn; empty on every rank: not written
 };
 
+/// The passive markers as this rank sees them.
+struct MarkerPicture {
+  std::vector<Vec3> points;  ///< cm
+  std::vector<int> id, group;
+  std::vector<float> age;  ///< s since they set out
+};
+
 /// `origin` is the corner of cell (0, 0, 0) of every level, cm; levels[0] is the coarsest.
 void write_overlapping_amr(const std::string& path, double time_s, const Vec3& origin,
                            const std::vector<AmrLevel>& levels, MPI_Comm comm);
@@ -58,5 +66,7 @@ void write_image_data(const std::string& path, double time_s, const Vec3& origin
 /// `group_names[g]` is the name of group g.
 void write_fibers(const std::string& path, double time_s, const FiberPicture& fibers,
                   const std::vector<std::string>& group_names, MPI_Comm comm);
+void write_markers(const std::string& path, double time_s, const MarkerPicture& markers,
+                   const std::vector<std::string>& group_names, MPI_Comm comm);
 
 }  // namespace valsalva::ib3d

@@ -1,85 +1,11 @@
-// The structure as VTKHDF UnstructuredGrid: one piece per rank that has points.
+// The structure as VTKHDF UnstructuredGrid: springs as lines, points without one as vertices.
 #include <algorithm>
-#include <cstdint>
-#include <span>
 
 #include "common/error.hpp"
-#include "common/hdf5_file.hpp"
-#include "ib3d/output/vtkhdf.hpp"
+#include "ib3d/output/vtkhdf_pieces.hpp"
 
 namespace valsalva::ib3d {
 namespace {
-
-constexpr std::uint8_t kVertex = 1, kLine = 3;  // VTK's cell types
-
-/// The cells of one rank in VTK's terms: cell c joins connectivity[offsets[c]] ... [offsets[c + 1] - 1].
-struct Cells {
-  std::vector<std::int64_t> connectivity, offsets{0};
-  std::vector<std::uint8_t> types;
-  std::vector<float> strain;
-
-  void add(std::span<const int> points, std::uint8_t type, float value)
-  {
-    connectivity.insert(connectivity.end(), points.begin(), points.end());
-    offsets.push_back(std::ssize(connectivity));
-    types.push_back(type);
-    strain.push_back(value);
-  }
-};
-
-Cells cells_of(const FiberPicture& fibers)
-{
-  Cells cells;
-  std::vector<bool> joined(fibers.points.size(), false);
-  for (std::size_t l = 0; l < fibers.lines.size(); ++l) {
-    cells.add(fibers.lines[l], kLine, fibers.strain[l]);
-    for (int i : fibers.lines[l]) joined[static_cast<std::size_t>(i)] = true;
-  }
-  for (int i = 0; i < static_cast<int>(joined.size()); ++i) {
-    if (!joined[static_cast<std::size_t>(i)]) cells.add(std::span<const int>(&i, 1), kVertex, 0.0F);
-  }
-  if (fibers.points.empty()) cells.offsets.clear();
-  return cells;
-}
-
-/// Writes the rank's share of an array that is cut at the ranks.
-class PieceWriter {
- public:
-  PieceWriter(Hdf5File& file, MPI_Comm comm) : file_(file), comm_(comm) {}
-
-  template <class T>
-  void write(const std::string& name, const std::vector<T>& values, std::int64_t width = 1)
-  {
-    const std::int64_t rows = std::ssize(values) / width;
-    std::int64_t end = 0, total = 0;
-    MPI_Scan(&rows, &end, 1, MPI_INT64_T, MPI_SUM, comm_);
-    MPI_Allreduce(&rows, &total, 1, MPI_INT64_T, MPI_SUM, comm_);
-    const Slab slab = width == 1 ? Slab{{end - rows}, {rows}} : Slab{{end - rows, 0}, {rows, width}};
-    const common::Shape shape = width == 1 ? common::Shape{total} : common::Shape{total, width};
-    file_.write("/VTKHDF/" + name, shape, std::span<const Slab>(&slab, 1), std::span<const T>(values));
-  }
-
- private:
-  Hdf5File& file_;
-  MPI_Comm comm_;
-};
-
-std::vector<float> flat(const std::vector<Vec3>& vectors)
-{
-  std::vector<float> values;
-  values.reserve(3 * vectors.size());
-  for (const Vec3& v : vectors) {
-    for (double c : v.c) values.push_back(static_cast<float>(c));
-  }
-  return values;
-}
-
-std::string one_per_line(const std::vector<std::string>& names)
-{
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : "\n") + name;
-  return text;
-}
 
 bool consistent(const FiberPicture& f)
 {
@@ -101,33 +27,22 @@ void write_fibers(const std::string& path, double time_s, const FiberPicture& fi
   MPI_Allreduce(MPI_IN_PLACE, flags, 2, MPI_INT, MPI_MAX, comm);
   if (flags[0] == 1) throw IoError(path + ": the arrays of the fibres do not fit together");
 
-  const Cells cells = cells_of(fibers);
-  Hdf5File file = Hdf5File::create(path, comm);
-  file.write_attribute("/", "time_s", std::span<const double>(&time_s, 1));
-  file.write_attribute("/", "group_names", one_per_line(group_names));
-  for (const char* data : {"/VTKHDF", "/VTKHDF/PointData", "/VTKHDF/CellData", "/VTKHDF/FieldData"}) {
-    file.create_group(data);
+  VtkCells cells;
+  std::vector<float> strain = fibers.strain;
+  std::vector<bool> joined(fibers.points.size(), false);
+  for (const std::array<int, 2>& line : fibers.lines) {
+    cells.add(line, kLine);
+    for (int i : line) joined[static_cast<std::size_t>(i)] = true;
   }
-  file.write_attribute("/VTKHDF", "Version", std::array<std::int64_t, 2>{1, 0});
-  file.write_attribute("/VTKHDF", "Type", std::string("UnstructuredGrid"));
+  for (int i = 0; i < static_cast<int>(joined.size()); ++i) {
+    if (!joined[static_cast<std::size_t>(i)]) cells.add(std::span<const int>(&i, 1), kVertex);
+  }
+  strain.resize(cells.types.size(), 0.0F);
 
-  PieceWriter pieces(file, comm);
-  std::vector<std::int64_t> counts[3];
-  if (!fibers.points.empty()) {
-    counts[0] = {std::ssize(fibers.points)};
-    counts[1] = {std::ssize(cells.types)};
-    counts[2] = {std::ssize(cells.connectivity)};
-  }
-  pieces.write("NumberOfPoints", counts[0]);
-  pieces.write("NumberOfCells", counts[1]);
-  pieces.write("NumberOfConnectivityIds", counts[2]);
-  pieces.write("Points", flat(fibers.points), 3);
-  pieces.write("Connectivity", cells.connectivity);
-  pieces.write("Offsets", cells.offsets);
-  pieces.write("Types", cells.types);
-  pieces.write("PointData/group", fibers.group);
-  if (flags[1] == 1) pieces.write("PointData/force_dyn", flat(fibers.force), 3);
-  pieces.write("CellData/strain", cells.strain);
+  PieceFile file(path, time_s, group_names, fibers.points, std::move(cells), comm);
+  file.write("PointData/group", fibers.group);
+  if (flags[1] == 1) file.write("PointData/force_dyn", fibers.force);
+  file.write("CellData/strain", strain);
   file.close();
 }
 

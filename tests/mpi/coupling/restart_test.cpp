@@ -28,6 +28,7 @@ struct Root {
                                   "element.ventricle.time_s=[0.0, 0.002, 0.15]",
                                   "element.ventricle.pressure_mmHg=[0.0, 20.0, 120.0]",
                                   "element.arteries.pressurise_s=0.0",
+                                  "markers.aorta.every_s=0.002",
                                   "element.arteries.initial_pressure_mmHg=0.0"};
     keys.insert(keys.end(), more.begin(), more.end());
     return CaseFile::read(file.string(), case_keys(), keys);
@@ -48,6 +49,7 @@ struct Root {
     model.model().save_or_restore(c);
   }
   const InterfaceState& interface() { return model.model().interface(); }
+  std::vector<ib3d::Marker> markers() { return model.root().markers().gather(comm); }
   std::vector<Vec3> X() { return model.root().nodes().gather(model.root().X()); }
 
   MPI_Comm comm;
@@ -68,6 +70,20 @@ std::vector<std::vector<double>> local_fields(Root& root)
   return all;
 }
 
+/// The same markers in positions that differ by at most `tolerance`, cm.
+void expect_same_markers(Root& a, Root& b, double tolerance)
+{
+  const std::vector<ib3d::Marker> of_a = a.markers(), of_b = b.markers();
+  ASSERT_EQ(of_a.size(), of_b.size());
+  ASSERT_GT(of_a.size(), 100U);
+  for (std::size_t n = 0; n < of_a.size(); ++n) {
+    ASSERT_LE(norm(of_a[n].X - of_b[n].X), tolerance);
+    ASSERT_EQ(of_a[n].id, of_b[n].id);
+    ASSERT_EQ(of_a[n].group, of_b[n].group);
+    ASSERT_EQ(of_a[n].seeded_s, of_b[n].seeded_s);
+  }
+}
+
 void expect_equal_to_rounding(Root& a, Root& b)
 {
   for (std::size_t m = 0; m < 2; ++m) {
@@ -80,6 +96,7 @@ void expect_equal_to_rounding(Root& a, Root& b)
   double furthest = 0;
   for (std::size_t n = 0; n < X.size(); ++n) furthest = std::max(furthest, norm(X[n] - Y[n]));
   EXPECT_LT(furthest, 1e-10);
+  expect_same_markers(a, b, 1e-10);
 }
 
 TEST(Restart, ContinuesBitForBitOnTheSameRanks)
@@ -101,6 +118,7 @@ TEST(Restart, ContinuesBitForBitOnTheSameRanks)
   EXPECT_EQ(second.interface().flow_ml_s, whole.interface().flow_ml_s);
   EXPECT_EQ(second.interface().pressure_mmHg, whole.interface().pressure_mmHg);
   EXPECT_EQ(second.model.circulation().state(), whole.model.circulation().state());
+  expect_same_markers(second, whole, 0);
   EXPECT_EQ(second.model.circulation().evaluations(), whole.model.circulation().evaluations());
   EXPECT_TRUE(second.X() == whole.X());
   EXPECT_TRUE(local_fields(second) == local_fields(whole));

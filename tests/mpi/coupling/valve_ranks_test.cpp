@@ -14,23 +14,26 @@ namespace {
 
 struct Outcome {
   std::vector<double> flow, pressure, states;
-  std::vector<Vec3> X;
+  std::vector<Vec3> X, markers;
 };
 
 /// `steps` steps of 1e-4 s with the ventricle's pressure rising at once, so that the valve begins to move.
-Outcome run(MPI_Comm comm, int steps)
+Outcome run(MPI_Comm comm, int steps, const std::vector<std::string>& more = {})
 {
   const auto root = std::filesystem::path(VALSALVA_SOURCE_DIR) / "cases/aortic_root/case.toml";
-  const CaseFile c = CaseFile::read(
-      root.string(), case_keys(),
-      {"grid.finest_cm=0.2083333333", "time.dt_fixed_s=1e-4", "pressure.divergence_tolerance_1_s=1e-9",
-       "element.ventricle.time_s=[0.0, 0.002, 0.15]", "element.ventricle.pressure_mmHg=[0.0, 20.0, 120.0]"});
+  std::vector<std::string> keys{
+      "grid.finest_cm=0.2083333333", "time.dt_fixed_s=1e-4", "pressure.divergence_tolerance_1_s=1e-9",
+      "element.ventricle.time_s=[0.0, 0.002, 0.15]", "element.ventricle.pressure_mmHg=[0.0, 20.0, 120.0]"};
+  keys.insert(keys.end(), more.begin(), more.end());
+  const CaseFile c = CaseFile::read(root.string(), case_keys(), keys);
   Timers timers;
   CaseModel m(c, comm, timers);
   for (int n = 0; n < steps; ++n) m.model().advance(m.model().next_step(1.0));
   const InterfaceState& end = m.model().interface();
   const ib3d::NodeOwner& nodes = m.root().nodes();
-  return {end.flow_ml_s, end.pressure_mmHg, m.circulation().state().y, nodes.gather(m.root().X())};
+  std::vector<Vec3> markers;
+  for (const ib3d::Marker& marker : m.root().markers().gather(comm)) markers.push_back(marker.X);
+  return {end.flow_ml_s, end.pressure_mmHg, m.circulation().state().y, nodes.gather(m.root().X()), markers};
 }
 
 /// Largest difference over the largest value of b.
@@ -51,7 +54,7 @@ double largest_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b
   return m;
 }
 
-TEST(AorticRoot, FlowsPressuresAndNodesDoNotDependOnTheNumberOfRanks)
+TEST(AorticRoot, FlowsPressuresNodesAndMarkersDoNotDependOnTheNumberOfRanks)
 {
   const Outcome alone = run(MPI_COMM_SELF, 20), together = run(MPI_COMM_WORLD, 20);
   EXPECT_GT(std::abs(alone.flow[1]), 1.0);  // there is something to compare
@@ -59,6 +62,8 @@ TEST(AorticRoot, FlowsPressuresAndNodesDoNotDependOnTheNumberOfRanks)
   EXPECT_LT(relative(together.pressure, alone.pressure), 1e-10);
   EXPECT_LT(relative(together.states, alone.states), 1e-10);
   EXPECT_LT(largest_difference(together.X, alone.X), 1e-10);
+  EXPECT_GT(alone.markers.size(), 100U);
+  EXPECT_LT(largest_difference(together.markers, alone.markers), 1e-10);
 }
 
 TEST(AorticRoot, RepeatedRunIsTheSameBitForBit)
@@ -68,6 +73,19 @@ TEST(AorticRoot, RepeatedRunIsTheSameBitForBit)
   EXPECT_EQ(a.pressure, b.pressure);
   EXPECT_EQ(a.states, b.states);
   EXPECT_EQ(largest_difference(a.X, b.X), 0);
+  EXPECT_EQ(largest_difference(a.markers, b.markers), 0);
+}
+
+TEST(AorticRoot, MarkersChangeNothingButThemselves)
+{
+  const Outcome with = run(MPI_COMM_WORLD, 10);
+  const Outcome without =
+      run(MPI_COMM_WORLD, 10, {"markers.ventricle.start_s=1.0", "markers.aorta.start_s=1.0"});
+  EXPECT_GT(with.markers.size(), 100U);
+  EXPECT_TRUE(without.markers.empty());
+  EXPECT_EQ(with.flow, without.flow);
+  EXPECT_EQ(with.states, without.states);
+  EXPECT_EQ(largest_difference(with.X, without.X), 0);
 }
 
 }  // namespace

@@ -1,0 +1,69 @@
+// Passive markers: points that the flow carries and that act on nothing, dX/dt = u(X, t), second order in dt:
+//   X' = X^n + dt/2 J[X^n] u^n,   X^{n+1} = X^n + dt J[X'] (u^n + u^{n+1})/2
+// This is the structure's midpoint update. J is that of the finest level whose boxes hold the marker, and the marker
+// lives on the rank of that box: it changes level and rank as it goes. A marker that leaves the domain is given
+// up and counted. Order and ranks do not change where a marker goes by more than they change u. cm, s.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "common/checkpoint.hpp"
+#include "ib3d/grid/fields.hpp"
+
+namespace valsalva::ib3d {
+
+/// Where and when the markers of one group set out.
+struct MarkerSeed {
+  std::string name;
+  std::vector<Vec3> points;  ///< inside the domain, cm
+  double start_s = 0;
+  double every_s = 0;  ///< again at these intervals; 0: once
+  double end_s = std::numeric_limits<double>::infinity();
+};
+
+struct Marker {
+  Vec3 X;
+  double seeded_s;   ///< when it set out
+  int id, group;     ///< id: its number in the order of setting out, the same on any number of ranks
+  int level, patch;  ///< where it is; local number of the patch
+};
+
+class Markers {
+ public:
+  explicit Markers(std::vector<MarkerSeed> seeds);
+
+  /// Whether any will ever set out: all that follows does nothing if not.
+  bool wanted() const { return !seeds_.empty(); }
+  const std::vector<MarkerSeed>& seeds() const { return seeds_; }
+  /// This rank's.
+  const std::vector<Marker>& local() const { return markers_; }
+  /// How many have left the domain so far, the same on all ranks.
+  int lost() const { return lost_; }
+  /// All of them, by id, on every rank. Collective.
+  std::vector<Marker> gather(MPI_Comm comm) const;
+
+  /// Lets those set out that are due at time t. The steps need not land on the seeds' times.
+  void seed_due(const Hierarchy& grid, double t);
+  /// Moves all over one step with the velocities at its start and end, ghosts filled. Collective.
+  void advance(const Hierarchy& grid, const CompositeMac& before, const CompositeMac& after, double dt);
+  /// Finds level, patch and rank of all anew: after a step, or on another grid. Collective.
+  void settle(const Hierarchy& grid);
+  /// A case without markers leaves no trace in the file. Collective.
+  void save_or_restore(Checkpoint& c, const Hierarchy& grid);
+
+ private:
+  void sort_by_patch(const Hierarchy& grid);
+  void interpolate(const Hierarchy& grid, const CompositeMac& u, const std::vector<Vec3>& X,
+                   std::vector<Vec3>& U) const;
+
+  std::vector<MarkerSeed> seeds_;
+  std::vector<int> seedings_;  ///< per seed: how many of its times are over
+  std::vector<Marker> markers_;
+  std::vector<std::vector<int>> first_;  ///< markers of level l, patch p: first_[l][p] to first_[l][p + 1]
+  std::vector<Vec3> X_, X_middle_, U_, U_after_;
+  int next_id_ = 0, lost_ = 0;
+};
+
+}  // namespace valsalva::ib3d
