@@ -1,11 +1,14 @@
 #include "ib3d/structure/aortic_root.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "common/error.hpp"
+#include "ib3d/structure/leaflet_fusion.hpp"
 #include "ib3d/structure/leaflet_lattice.hpp"
+#include "ib3d/structure/root_shape.hpp"
 #include "ib3d/structure/root_wall.hpp"
 
 namespace valsalva::ib3d {
@@ -60,26 +63,56 @@ void add_leaflet(const LeafletLattice& lattice, const std::vector<Vec3>& X, cons
     whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
+struct FormedLeaflet {
+  LeafletLattice lattice;
+  LeafletShape closed;
+  LeafletEquilibrium start;
+};
+
+FormedLeaflet form_leaflet(const RootDimensions& root, const LeafletMaterial& material, double h)
+{
+  FormedLeaflet formed;
+  formed.lattice = leaflet_lattice(root, material, h);
+  const LeafletEquilibrium closed = find_leaflet_equilibrium(formed.lattice, material, kClosedPressure_mmHg,
+                                                             closed_leaflet_guess(root, formed.lattice));
+  formed.closed = closed.shape;
+  formed.start = find_leaflet_equilibrium(formed.lattice, material, material.start_pressure_mmHg, closed.X);
+  return formed;
+}
+
+/// Do two leaflets have the same shape? Fusion comes after form-finding.
+bool grow_alike(const LeafletFactors& a, const LeafletFactors& b)
+{
+  return a.stiffness == b.stiffness && a.bending == b.bending && a.height == b.height &&
+         a.free_edge == b.free_edge;
+}
+
 }  // namespace
 
 AorticRoot design_aortic_root(const RootDimensions& root, const LeafletMaterial& leaflets,
-                              const WallMaterial& wall, double h)
+                              const WallMaterial& wall, double h,
+                              const std::array<LeafletFactors, 3>& factors)
 {
   const std::vector<CaseProblem> problems = root_problems(root, leaflets, wall, h);
   if (!problems.empty()) throw CaseError(problems);
 
-  const LeafletLattice lattice = leaflet_lattice(root, leaflets, h);
-  const LeafletEquilibrium closed =
-      find_leaflet_equilibrium(lattice, leaflets, kClosedPressure_mmHg, closed_leaflet_guess(root, lattice));
-  const LeafletEquilibrium start =
-      find_leaflet_equilibrium(lattice, leaflets, leaflets.start_pressure_mmHg, closed.X);
-
   AorticRoot whole;
-  whole.closed = closed.shape;
-  whole.start = start.shape;
   const double edge_stiffness = leaflets.edge_tether_ratio * wall.tether_stiffness * 0.25 * h * h;
-  for (int number = 1; number <= 3; ++number)
-    add_leaflet(lattice, start.X, root, number, edge_stiffness, whole);
+  std::array<FormedLeaflet, 3> formed;
+  for (std::size_t n = 0; n < 3; ++n) {
+    formed[n] = n > 0 && grow_alike(factors[n], factors[n - 1])
+                    ? formed[n - 1]
+                    : form_leaflet(root, scaled(leaflets, factors[n]), h);
+    whole.closed[n] = formed[n].closed;
+    whole.start[n] = formed[n].start.shape;
+    add_leaflet(formed[n].lattice, formed[n].start.X, root, static_cast<int>(n) + 1, edge_stiffness, whole);
+  }
+  for (std::size_t n = 0; n < 3; ++n)
+    if (factors[n].fused_share > 0.0)
+      fuse_leaflets(formed[n].lattice, whole.network.groups[n].first, formed[(n + 1) % 3].lattice,
+                    whole.network.groups[(n + 1) % 3].first,
+                    (1.0 - factors[n].fused_share) * leaflet_half_width(root),
+                    leaflets.circumferential_stiffness, whole.network);
   add_wall(root, wall, h, whole.network);
   return whole;
 }
