@@ -8,7 +8,6 @@
 #include "common/error.hpp"
 #include "ib3d/structure/leaflet_fusion.hpp"
 #include "ib3d/structure/leaflet_lattice.hpp"
-#include "ib3d/structure/root_shape.hpp"
 #include "ib3d/structure/root_wall.hpp"
 
 namespace valsalva::ib3d {
@@ -69,22 +68,17 @@ struct FormedLeaflet {
   LeafletEquilibrium start;
 };
 
-FormedLeaflet form_leaflet(const RootDimensions& root, const LeafletMaterial& material, double h)
+FormedLeaflet form_leaflet(const RootDimensions& root, const LeafletMaterial& material, double h,
+                           double fused_with_previous, double fused_with_next)
 {
   FormedLeaflet formed;
   formed.lattice = leaflet_lattice(root, material, h);
+  mark_fused(root, fused_with_previous, fused_with_next, formed.lattice);
   const LeafletEquilibrium closed = find_leaflet_equilibrium(formed.lattice, material, kClosedPressure_mmHg,
                                                              closed_leaflet_guess(root, formed.lattice));
   formed.closed = closed.shape;
   formed.start = find_leaflet_equilibrium(formed.lattice, material, material.start_pressure_mmHg, closed.X);
   return formed;
-}
-
-/// Do two leaflets have the same shape? Fusion comes after form-finding.
-bool grow_alike(const LeafletFactors& a, const LeafletFactors& b)
-{
-  return a.stiffness == b.stiffness && a.bending == b.bending && a.height == b.height &&
-         a.free_edge == b.free_edge;
 }
 
 }  // namespace
@@ -100,19 +94,21 @@ AorticRoot design_aortic_root(const RootDimensions& root, const LeafletMaterial&
   const double edge_stiffness = leaflets.edge_tether_ratio * wall.tether_stiffness * 0.25 * h * h;
   std::array<FormedLeaflet, 3> formed;
   for (std::size_t n = 0; n < 3; ++n) {
-    formed[n] = n > 0 && grow_alike(factors[n], factors[n - 1])
+    const LeafletFactors &previous = factors[(n + 2) % 3], &own = factors[n];
+    const bool is_like_previous =
+        n > 0 && own == previous && previous.fused_share == factors[(n + 1) % 3].fused_share;
+    formed[n] = is_like_previous
                     ? formed[n - 1]
-                    : form_leaflet(root, scaled(leaflets, factors[n]), h);
+                    : form_leaflet(root, scaled(leaflets, own), h, previous.fused_share, own.fused_share);
     whole.closed[n] = formed[n].closed;
     whole.start[n] = formed[n].start.shape;
     add_leaflet(formed[n].lattice, formed[n].start.X, root, static_cast<int>(n) + 1, edge_stiffness, whole);
   }
-  for (std::size_t n = 0; n < 3; ++n)
-    if (factors[n].fused_share > 0.0)
-      fuse_leaflets(formed[n].lattice, whole.network.groups[n].first, formed[(n + 1) % 3].lattice,
-                    whole.network.groups[(n + 1) % 3].first,
-                    (1.0 - factors[n].fused_share) * leaflet_half_width(root),
-                    leaflets.circumferential_stiffness, whole.network);
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t next = (n + 1) % 3;
+    fuse_leaflets(formed[n].lattice, whole.network.groups[n].first, formed[next].lattice,
+                  whole.network.groups[next].first, leaflets.circumferential_stiffness, whole.network);
+  }
   add_wall(root, wall, h, whole.network);
   return whole;
 }

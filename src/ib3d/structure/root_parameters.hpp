@@ -42,6 +42,7 @@ struct LeafletFactors {
   double free_edge = 1.0;  ///< of the free edge's rest ratio
   double fused_share =
       0.0;  ///< of half the free edge, from the commissure on, that is grown to the next leaflet
+  bool operator==(const LeafletFactors&) const = default;
 };
 
 /// The material of a leaflet with these factors.
