@@ -60,7 +60,31 @@ KeySection leaflets_section()
        real("edge_tether_dyn_cm3", "dyn/cm^3",
             "Stiffness per node area that holds the attached edge in place")
            .at_least(0)
-           .or_else(8e7)}};
+           .or_else(8e7),
+       reals("stiffness_factors", "", "Stiffness of rows and columns of leaflets 1, 2, 3 over the above")
+           .of_count(3)
+           .in(0.1, 20.0)
+           .or_else({1.0, 1.0, 1.0}),
+       reals("bending_factors", "", "Bending rigidities of leaflets 1, 2, 3 over the above")
+           .of_count(3)
+           .in(0.1, 200.0)
+           .or_else({1.0, 1.0, 1.0}),
+       reals("height_factors", "", "radial_ratio of leaflets 1, 2, 3 over the above; below 1: retracted")
+           .of_count(3)
+           .in(0.4, 1.3)
+           .or_else({1.0, 1.0, 1.0}),
+       reals("free_edge_factors", "",
+             "free_edge_ratio of leaflets 1, 2, 3 over the above; below 1: retracted")
+           .of_count(3)
+           .in(0.7, 1.2)
+           .or_else({1.0, 1.0, 1.0}),
+       reals("fused_shares", "",
+             "Share of half the free edge that is grown together, from the commissure on, between leaflets 1 "
+             "and 2, 2 "
+             "and 3, 3 and 1")
+           .of_count(3)
+           .in(0.0, 1.0)
+           .or_else({0.0, 0.0, 0.0})}};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "common/log.hpp"
@@ -107,13 +108,20 @@ std::string describe_model(const CaseFile& c, CaseModel& m)
   text += fmt::format("structure  {} nodes, {} springs, {} beams, {} tethers\n", n.node_count(),
                       n.springs.count(), n.beams.count(), n.tethers.count());
   if (m.structure().is_root) {
-    const ib3d::LeafletShape& s = m.structure().closed;
-    text += fmt::format(
-        "leaflets   closed under {:.0f} mmHg: strain {:.3f} mean, {:.3f} largest; tension {:.2g} mean, "
-        "{:.2g} largest "
-        "dyn/cm; coaptation {:.2f} cm\n",
-        s.pressure_mmHg, s.circumferential_strain_mean, s.circumferential_strain_max, s.tension_mean,
-        s.tension_max, s.coaptation_height_cm);
+    std::array<std::string, 3> lines;
+    for (std::size_t leaflet = 0; leaflet < 3; ++leaflet) {
+      const ib3d::LeafletShape& s = m.structure().closed[leaflet];
+      lines[leaflet] = fmt::format(
+          "closed under {:.0f} mmHg: strain {:.3f} mean, {:.3f} largest; tension {:.2g} mean, {:.2g} largest "
+          "dyn/cm; coaptation {:.2f} cm\n",
+          s.pressure_mmHg, s.circumferential_strain_mean, s.circumferential_strain_max, s.tension_mean,
+          s.tension_max, s.coaptation_height_cm);
+    }
+    if (lines[0] == lines[1] && lines[1] == lines[2])
+      text += "leaflets   " + lines[0];
+    else
+      for (std::size_t leaflet = 0; leaflet < 3; ++leaflet)
+        text += fmt::format("leaflet {}  {}", leaflet + 1, lines[leaflet]);
   }
   const double omega = m.root().elastic_rate();
   if (omega > 0)

@@ -58,6 +58,16 @@ ib3d::LeafletMaterial leaflet_material(const CaseFile& c)
   return m;
 }
 
+std::array<ib3d::LeafletFactors, 3> leaflet_factors(const CaseFile& c)
+{
+  const CaseTable& t = c.section("leaflets");
+  std::array<ib3d::LeafletFactors, 3> factors;
+  for (std::size_t n = 0; n < 3; ++n)
+    factors[n] = {t.reals("stiffness_factors")[n], t.reals("bending_factors")[n],
+                  t.reals("height_factors")[n], t.reals("free_edge_factors")[n], t.reals("fused_shares")[n]};
+  return factors;
+}
+
 /// Every node must lie in the box; the tube may touch its sides.
 void check_inside(const CaseFile& c, const ib3d::FiberNetwork& network, const ib3d::Domain& domain, double h)
 {
@@ -184,8 +194,8 @@ Structure structure_from_case(const CaseFile& c, const ib3d::Domain& domain, dou
   if (t.text("kind") == "aortic_root") {
     ib3d::LeafletMaterial leaflets = leaflet_material(c);
     leaflets.start_pressure_mmHg = std::max(leaflets.start_pressure_mmHg, valve_load_mmHg);
-    ib3d::AorticRoot root =
-        ib3d::design_aortic_root(root_dimensions_from_case(c, domain), leaflets, wall_material(c), h);
+    ib3d::AorticRoot root = ib3d::design_aortic_root(root_dimensions_from_case(c, domain), leaflets,
+                                                     wall_material(c), h, leaflet_factors(c));
     structure = {std::move(root.network), root.closed, root.start, true};
   } else if (t.text("kind") == "files") {
     if (t.text("files_prefix").empty())

@@ -4,6 +4,8 @@
 
 #include <mpi.h>
 
+#include <array>
+
 #include "common/case_file.hpp"
 #include "coupling/coupled_model.hpp"
 #include "coupling/network_from_case.hpp"
@@ -24,7 +26,7 @@ StepControl step_control_from_case(const CaseFile& c);
 /// The elastic structure and, for the aortic root, what form-finding found.
 struct Structure {
   ib3d::FiberNetwork network;
-  ib3d::LeafletShape closed, start;  ///< of kind "aortic_root" only
+  std::array<ib3d::LeafletShape, 3> closed, start;  ///< of kind "aortic_root" only
   bool is_root = false;
 };
 /// The leaflets start in equilibrium with the larger of leaflets.start_pressure_mmHg and `valve_load_mmHg`.

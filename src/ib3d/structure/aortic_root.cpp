@@ -1,10 +1,12 @@
 #include "ib3d/structure/aortic_root.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "common/error.hpp"
+#include "ib3d/structure/leaflet_fusion.hpp"
 #include "ib3d/structure/leaflet_lattice.hpp"
 #include "ib3d/structure/root_wall.hpp"
 
@@ -60,26 +62,53 @@ void add_leaflet(const LeafletLattice& lattice, const std::vector<Vec3>& X, cons
     whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
+struct FormedLeaflet {
+  LeafletLattice lattice;
+  LeafletShape closed;
+  LeafletEquilibrium start;
+};
+
+FormedLeaflet form_leaflet(const RootDimensions& root, const LeafletMaterial& material, double h,
+                           double fused_with_previous, double fused_with_next)
+{
+  FormedLeaflet formed;
+  formed.lattice = leaflet_lattice(root, material, h);
+  mark_fused(root, fused_with_previous, fused_with_next, formed.lattice);
+  const LeafletEquilibrium closed = find_leaflet_equilibrium(formed.lattice, material, kClosedPressure_mmHg,
+                                                             closed_leaflet_guess(root, formed.lattice));
+  formed.closed = closed.shape;
+  formed.start = find_leaflet_equilibrium(formed.lattice, material, material.start_pressure_mmHg, closed.X);
+  return formed;
+}
+
 }  // namespace
 
 AorticRoot design_aortic_root(const RootDimensions& root, const LeafletMaterial& leaflets,
-                              const WallMaterial& wall, double h)
+                              const WallMaterial& wall, double h,
+                              const std::array<LeafletFactors, 3>& factors)
 {
   const std::vector<CaseProblem> problems = root_problems(root, leaflets, wall, h);
   if (!problems.empty()) throw CaseError(problems);
 
-  const LeafletLattice lattice = leaflet_lattice(root, leaflets, h);
-  const LeafletEquilibrium closed =
-      find_leaflet_equilibrium(lattice, leaflets, kClosedPressure_mmHg, closed_leaflet_guess(root, lattice));
-  const LeafletEquilibrium start =
-      find_leaflet_equilibrium(lattice, leaflets, leaflets.start_pressure_mmHg, closed.X);
-
   AorticRoot whole;
-  whole.closed = closed.shape;
-  whole.start = start.shape;
   const double edge_stiffness = leaflets.edge_tether_ratio * wall.tether_stiffness * 0.25 * h * h;
-  for (int number = 1; number <= 3; ++number)
-    add_leaflet(lattice, start.X, root, number, edge_stiffness, whole);
+  std::array<FormedLeaflet, 3> formed;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const LeafletFactors &previous = factors[(n + 2) % 3], &own = factors[n];
+    const bool is_like_previous =
+        n > 0 && own == previous && previous.fused_share == factors[(n + 1) % 3].fused_share;
+    formed[n] = is_like_previous
+                    ? formed[n - 1]
+                    : form_leaflet(root, scaled(leaflets, own), h, previous.fused_share, own.fused_share);
+    whole.closed[n] = formed[n].closed;
+    whole.start[n] = formed[n].start.shape;
+    add_leaflet(formed[n].lattice, formed[n].start.X, root, static_cast<int>(n) + 1, edge_stiffness, whole);
+  }
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t next = (n + 1) % 3;
+    fuse_leaflets(formed[n].lattice, whole.network.groups[n].first, formed[next].lattice,
+                  whole.network.groups[next].first, leaflets.circumferential_stiffness, whole.network);
+  }
   add_wall(root, wall, h, whole.network);
   return whole;
 }

@@ -20,6 +20,7 @@ constexpr double kContact = 5e7;  // dyn/cm^3
 constexpr int kMaxIterations = 60000;
 constexpr double kSqrt3Half = 0.86602540378443865;
 constexpr Vec3 kPlaneNormal[2] = {{kSqrt3Half, 0.5, 0.0}, {kSqrt3Half, -0.5, 0.0}};  // into the leaflet
+constexpr std::int8_t kNeighbour[2] = {-1, 1};  // previous (theta = -60 degrees), next
 
 std::size_t at(int node)
 {
@@ -52,9 +53,11 @@ void add_contact(const LeafletLattice& lattice, const std::vector<double>& area,
 {
   for (std::size_t i = 0; i < X.size(); ++i) {
     if (lattice.on_edge[i] != 0) continue;
-    for (const Vec3& normal : kPlaneNormal) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Vec3& normal = kPlaneNormal[side];
       const double depth = gap_of(lattice, i, normal) - dot(normal, X[i]);
-      if (depth > 0.0) F[i] += (kContact * area[i] * depth) * normal;
+      if (depth > 0.0 || lattice.grown_to[i] == kNeighbour[side])
+        F[i] += (kContact * area[i] * depth) * normal;
     }
   }
 }

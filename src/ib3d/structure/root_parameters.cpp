@@ -65,6 +65,18 @@ void check_dimensions(const RootDimensions& root, double h, Problems& problems)
 
 }  // namespace
 
+LeafletMaterial scaled(const LeafletMaterial& common, const LeafletFactors& factors)
+{
+  LeafletMaterial one = common;
+  one.circumferential_stiffness *= factors.stiffness;
+  one.radial_stiffness *= factors.stiffness;
+  one.circumferential_bending *= factors.bending;
+  one.radial_bending *= factors.bending;
+  one.radial_rest_ratio *= factors.height;
+  one.free_edge_rest_ratio *= factors.free_edge;
+  return one;
+}
+
 std::vector<CaseProblem> root_problems(const RootDimensions& root, const LeafletMaterial& leaflets,
                                        const WallMaterial& wall, double h)
 {

@@ -1,4 +1,5 @@
-// What an aortic root is made of: its dimensions (cm) and the stiffness of its leaflets and wall. The
+// What an aortic root is made of: its dimensions (cm), the stiffness of its leaflets and wall, and how single
+// leaflets differ from the common material. The
 // defaults are the project's recommended set B: a tube of radius 1.15 cm with three sinuses, adult
 // dimensions. z runs along the vessel from the ventricle (z = 0) to the ascending aorta (z = length).
 #pragma once
@@ -32,6 +33,20 @@ struct LeafletMaterial {
   double edge_tether_ratio = 8.0;            ///< edge tether = ratio * wall stiffness * (h/2)^2
   double start_pressure_mmHg = 3.0;          ///< the run starts from the equilibrium under this pressure
 };
+
+/// How one leaflet differs from the common LeafletMaterial; as they stand, not at all.
+struct LeafletFactors {
+  double stiffness = 1.0;  ///< of both fibre families
+  double bending = 1.0;    ///< of both bending rigidities
+  double height = 1.0;     ///< of the radial rest ratio
+  double free_edge = 1.0;  ///< of the free edge's rest ratio
+  double fused_share =
+      0.0;  ///< of half the free edge, from the commissure on, that is grown to the next leaflet
+  bool operator==(const LeafletFactors&) const = default;
+};
+
+/// The material of a leaflet with these factors.
+LeafletMaterial scaled(const LeafletMaterial& common, const LeafletFactors& factors);
 
 struct WallMaterial {
   double tether_stiffness = 1.0e7;  ///< per area of each layer, dyn/cm^3
