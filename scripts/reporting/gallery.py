@@ -12,7 +12,8 @@ from drawing.scene import Scene
 
 from . import comparison
 
-PIXELS = 520  # width of one valve
+PIXELS = 420          # width of one valve
+DOTS_PER_INCH = 180   # for screens
 COLUMNS = [  # heading, format, value from the numbers of a beat
     ("stroke volume (ml)", "{:.0f}", lambda n: n["stroke_volume_ml"]),
     ("output (l/min)", "{:.1f}", lambda n: 0.06 * n["stroke_volume_ml"] / n["period_s"]),
@@ -70,7 +71,8 @@ def draw_card(out, beat, reference, limits, pictures):
         panel.set_axis_off()
         panel.imshow(np.asarray(scene.image(fibers, PIXELS)), extent=scene.extent)
         panel.set_title(what, pad=3)
-    style.save(figure, pictures, beat.name)
+    with plt.rc_context({"savefig.dpi": DOTS_PER_INCH}):
+        style.save(figure, pictures, beat.name)
 
 
 def _traces(above, below, beat, colors):
