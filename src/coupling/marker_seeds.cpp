@@ -14,12 +14,22 @@ namespace valsalva::coupling {
 
 namespace {
 
+/// Of the narrowest opening; 0 where there is an aortic root, whose lumen is known.
+double radius_without_root(const CaseFile& c, const ib3d::Domain& domain)
+{
+  if (c.section("structure").text("kind") == "aortic_root") return 0;
+  double narrowest = 0;
+  for (const ib3d::Opening& o : openings_from_case(c, domain))
+    narrowest = narrowest > 0 ? std::min(narrowest, o.radius) : o.radius;
+  return narrowest;
+}
+
 /// What an entry says about its planes; the radius is that of the disc, or of the lumen at an angle and a height.
 struct Planes {
   Planes(const CaseFile& c, const CaseTable& t, const ib3d::Domain& domain, double h)
       : root(root_dimensions_from_case(c, domain)),
         spacing(t.real("spacing_cm")),
-        disc_radius(t.real("radius_cm")),
+        disc_radius(t.real("radius_cm") > 0 ? t.real("radius_cm") : radius_without_root(c, domain)),
         wall_spacing(h),
         heights(t.reals("z_cm")),
         centre(t.has("center_cm") ? t.reals("center_cm") : c.section("root").reals("center_cm"))
@@ -75,12 +85,6 @@ std::vector<ib3d::MarkerSeed> marker_seeds_from_case(const CaseFile& c, const ib
                                           "use heights inside the box",
                                           z, domain.size[2])));
     const Planes planes(c, t, domain, h);
-    if (planes.disc_radius == 0 && c.section("structure").text("kind") != "aortic_root") {
-      problems.push_back(t.problem(
-          "radius_cm",
-          "is 0, which means the lumen of the aortic root, and structure.kind is another; name a radius"));
-      continue;
-    }
     const double reach = planes.largest_radius();
     for (std::size_t d = 0; d < 2; ++d)
       if (planes.centre[d] < reach || planes.centre[d] + reach > domain.size[static_cast<int>(d)])
