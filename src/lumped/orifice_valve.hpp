@@ -46,7 +46,7 @@ class OrificeValve final : public Element<Scalar> {
   }
   Branch<Scalar> branch_at(const Scalar& area) const;
   /// d zeta/dt, 1/s.
-  Scalar opening_rate(LocalState<Scalar> state, const Scalar& dp) const;
+  Scalar opening_rate(LocalState<Scalar> state, const Scalar& dv) const;
 
   /// dv, mmHg.
   Scalar drop_at_leaflets(LocalState<Scalar> state, const NodalCircuit<Scalar>& circuit) const;
