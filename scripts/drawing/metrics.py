@@ -29,6 +29,8 @@ FURTHER = [
     Metric("closing_s", "closing", "{:.3f}", "s", None, None),
     Metric("period_s", "period", "{:.3f}", "s", None, None),
 ]
+REMNANT = 0.05  # of the peak flow: what may swing at the start of a beat
+LONGEST_CLOSING = 0.25  # of the beat: the backflow that closes the valve lies within it
 SHUT_CM2 = 0.05  # an orifice below this counts as shut
 
 
@@ -53,13 +55,17 @@ def last_beat_of_run(out):
 
 
 def ejection(t, q):
-    """(opening, end): where q rises through zero before its peak and falls through zero after it."""
+    """(opening, end): where q rises through zero before its peak (through 5 % of it if positive from the start) and falls
+    through zero after it."""
     peak = int(np.argmax(q))
     if q[peak] <= 0:
         raise Missing("no forward flow")
     before = np.nonzero(q[:peak] <= 0)[0]
     after = np.nonzero(q[peak:] <= 0)[0]
-    opening = _zero(t, q, before[-1]) if len(before) else t[0]
+    if len(before):
+        opening = _zero(t, q, before[-1])
+    else:
+        opening = t[np.nonzero(q[: peak + 1] > REMNANT * q[peak])[0][0]]
     end = _zero(t, q, peak + after[0] - 1) if len(after) else t[-1]
     return opening, end
 
@@ -67,13 +73,15 @@ def ejection(t, q):
 def beat_of_trace(t, q, p_ao=None, p_lv=None):
     """{column: value} of one beat with flow q (ml/s) and pressures (mmHg), as docs/outputs.md defines them."""
     opening, end = ejection(t, q)
-    rise = (t > end) & (q >= 0)
+    closing = (t >= end) & (t <= end + LONGEST_CLOSING * (t[-1] - t[0]))
+    least = t[closing][np.argmin(q[closing])] if np.any(closing) else end
+    rise = (t > max(end, least)) & (q >= 0)
     shut = t[rise][0] if np.any(rise) else t[-1]
     beat = {
         "start_s": t[0], "period_s": t[-1] - t[0], "opening_s": opening, "closing_s": shut,
         "ejection_time_s": end - opening, "peak_flow_ml_s": q.max(),
         "least_flow_ml_s": q[t >= end].min() if np.any(t >= end) else np.nan,
-        "forward_volume_ml": volume(t, q, opening, end),
+        "forward_volume_ml": volume(t, q, opening if np.any(q[t < opening] <= 0) else t[0], end),
         "closing_volume_ml": -volume(t, q, end, shut),
         "leak_volume_ml": -volume(t, q, shut, t[-1]),
     }

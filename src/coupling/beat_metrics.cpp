@@ -14,6 +14,12 @@ namespace {
 /// coaptation.
 constexpr double kShutOrifice_cm2 = 0.05;
 
+/// Within this share of the beat after ejection lies the backflow that closes the valve.
+constexpr double kLongestClosing = 0.25;
+
+/// Of the peak flow: less is what the closed valve lets swing at the start of a beat.
+constexpr double kRemnant = 0.05;
+
 /// Integral of f over the samples first..last by the trapezoidal rule.
 template <class F>
 double integral(const std::vector<BeatSample>& s, std::size_t first, std::size_t last, F&& f)
@@ -46,19 +52,27 @@ BeatMetrics measure_beat(int beat, const std::vector<BeatSample>& s)
   m.peak_flow_ml_s = s[peak].flow_ml_s;
   if (m.peak_flow_ml_s <= 0) return m;
 
-  std::size_t open = peak, fall = peak, shut = 0;
-  while (open > 0 && s[open - 1].flow_ml_s > 0) --open;
+  std::size_t rise = peak, fall = peak;
+  while (rise > 0 && s[rise - 1].flow_ml_s > 0) --rise;
+  std::size_t open = rise;
+  if (rise == 0)  // the closed valve still swings from the beat before
+    for (open = peak; open > 0 && s[open - 1].flow_ml_s > kRemnant * m.peak_flow_ml_s;) --open;
   while (fall < end && s[fall].flow_ml_s > 0) ++fall;
-  shut = fall;
-  while (shut < end && s[shut].flow_ml_s < 0 &&
-         !(s[shut].orifice_cm2 >= 0 && s[shut].orifice_cm2 < kShutOrifice_cm2))
-    ++shut;
+  // A late ejection may hover about zero before the backflow that closes the valve.
+  std::size_t least = fall;
+  for (std::size_t n = fall; n <= end && s[n].t_s <= s[fall].t_s + kLongestClosing * m.period_s; ++n)
+    if (s[n].flow_ml_s < s[least].flow_ml_s) least = n;
+  const auto is_shut = [](const BeatSample& x) {
+    return x.orifice_cm2 >= 0 && x.orifice_cm2 < kShutOrifice_cm2;
+  };
+  std::size_t shut = fall;
+  while (shut < end && !is_shut(s[shut]) && (shut < least || s[shut].flow_ml_s < 0)) ++shut;
   m.opening_s = s[open].t_s;
   m.closing_s = s[shut].t_s;
   m.ejection_time_s = s[fall].t_s - s[open].t_s;
   m.least_flow_ml_s =
       std::min_element(s.begin() + static_cast<std::ptrdiff_t>(fall), s.end(), by_flow)->flow_ml_s;
-  m.forward_volume_ml = integral(s, open, fall, flow);
+  m.forward_volume_ml = integral(s, rise, fall, flow);
   m.closing_volume_ml = 0 - integral(s, fall, shut, flow);
   m.leak_volume_ml = 0 - integral(s, shut, end, flow);
   m.stroke_volume_ml = m.forward_volume_ml - m.closing_volume_ml - m.leak_volume_ml;

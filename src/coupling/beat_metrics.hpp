@@ -1,7 +1,8 @@
 // What one beat did, from its traces: the numbers that clinicians and papers quote. ml, s, mmHg, cm^2.
-// The beat's ejection begins where the flow last rises through zero before its peak and ends where it next
-// falls through zero. The closing volume is the backflow from there until the valve has closed: the flow
-// first returns to zero, or the orifice is shut. Backflow after that is leak.
+// The beat's ejection begins where the flow last rises through zero before its peak (through 5 % of the peak if it
+// was positive from the start) and ends where it next falls through zero. The closing volume is the net backflow
+// from there until the valve has closed: the flow returns to zero after its least value within a quarter of the
+// beat, or the orifice is shut. Backflow after that is leak.
 #pragma once
 
 #include <string>

@@ -57,6 +57,24 @@ TEST(BeatMetrics, VolumesOfEjectionClosingAndLeakAreTheIntegrals)
   EXPECT_NEAR(m.stroke_volume_ml, m.forward_volume_ml - m.closing_volume_ml - m.leak_volume_ml, 1e-12);
 }
 
+TEST(BeatMetrics, AFlowThatHoversAboutZeroBeforeTheBackflowDoesNotEndTheClosing)
+{
+  // A small wave, back and forth, between ejection and closing lobe; its integral is zero.
+  constexpr double kWave = 0.02;
+  std::vector<BeatSample> samples;
+  for (BeatSample s : beat(0, 0.0)) {
+    if (s.t_s > kFall + 1e-9) s.t_s += kWave;
+    samples.push_back(s);
+    if (std::abs(s.t_s - kFall) > 1e-9) continue;
+    for (int n = 1; n < 200; ++n) {
+      s.t_s = kFall + kWave * n / 200;
+      s.flow_ml_s = -5 * std::sin(2 * kPi * n / 200);
+      samples.push_back(s);
+    }
+  }
+  EXPECT_NEAR(measure_beat(1, samples).closing_volume_ml, kLobe * 2 / kPi * (kShut - kFall), 0.05);
+}
+
 TEST(BeatMetrics, TimesPressuresAndBalanceAreThoseOfTheCurves)
 {
   const BeatMetrics m = measure_beat(1, beat(0.0, 0.0));
