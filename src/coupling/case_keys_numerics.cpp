@@ -113,7 +113,8 @@ KeyArray markers_array()
           {text("name", "Unique name of the group"),
            reals("z_cm", "cm", "Heights of the planes across z in which they set out").at_least(0),
            real("spacing_cm", "cm", "Distance of the markers within a plane").in(0.005, 10.0).or_else(0.1),
-           real("radius_cm", "cm", "Radius of the planes' discs; 0: the lumen of the aortic root, else the narrowest opening's")
+           real("radius_cm", "cm",
+                "Radius of the planes' discs; 0: the lumen of the aortic root, else the narrowest opening's")
                .in(0.0, 100.0)
                .or_else(0.0),
            reals("center_cm", "cm", "Centre of the discs in x and y; absent: root.center_cm")
