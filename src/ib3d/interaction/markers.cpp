@@ -93,12 +93,10 @@ void Markers::advance(const Hierarchy& grid, const CompositeMac& before, const C
 {
   if (!wanted()) return;
   X_.resize(markers_.size());
-  X_middle_.resize(markers_.size());
   for (std::size_t n = 0; n < X_.size(); ++n) X_[n] = markers_[n].X;
   interpolate(grid, before, X_, U_);
-  for (std::size_t n = 0; n < X_.size(); ++n) X_middle_[n] = X_[n] + 0.5 * dt * U_[n];
-  interpolate(grid, before, X_middle_, U_);
-  interpolate(grid, after, X_middle_, U_after_);
+  for (std::size_t n = 0; n < X_.size(); ++n) X_[n] += dt * U_[n];
+  interpolate(grid, after, X_, U_after_);
   for (std::size_t n = 0; n < X_.size(); ++n) markers_[n].X += 0.5 * dt * (U_[n] + U_after_[n]);
   settle(grid);
 }
@@ -133,8 +131,9 @@ void Markers::settle(const Hierarchy& grid)
 void Markers::sort_by_patch(const Hierarchy& grid)
 {
   const auto place = [](const Marker& m) { return std::tuple(m.level, m.patch, m.id); };
-  std::sort(markers_.begin(), markers_.end(),
-            [&](const Marker& a, const Marker& b) { return place(a) < place(b); });
+  const auto before = [&](const Marker& a, const Marker& b) { return place(a) < place(b); };
+  if (!std::is_sorted(markers_.begin(), markers_.end(), before))
+    std::sort(markers_.begin(), markers_.end(), before);
   first_.assign(static_cast<std::size_t>(grid.level_count()), {});
   int n = 0;
   for (int l = 0; l < grid.level_count(); ++l)

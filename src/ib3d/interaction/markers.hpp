@@ -1,8 +1,9 @@
 // Passive markers: points that the flow carries and that act on nothing, dX/dt = u(X, t), second order in dt:
-//   X' = X^n + dt/2 J[X^n] u^n,   X^{n+1} = X^n + dt J[X'] (u^n + u^{n+1})/2
-// This is the structure's midpoint update. J is that of the finest level whose boxes hold the marker, and the marker
-// lives on the rank of that box: it changes level and rank as it goes. A marker that leaves the domain is given
-// up and counted. Order and ranks do not change where a marker goes by more than they change u. cm, s.
+//   X' = X^n + dt J[X^n] u^n,   X^{n+1} = X^n + dt (J[X^n] u^n + J[X'] u^{n+1})/2
+// Heun's method, one interpolation less than the midpoint rule. J is that of the finest level whose boxes hold the
+// marker, and the marker lives on the rank of that box: it changes level and rank as it goes. A marker that leaves
+// the domain is given up and counted. Order and ranks do not change where a marker goes by more than they change u.
+// cm, s.
 #pragma once
 
 #include <limits>
@@ -62,7 +63,7 @@ class Markers {
   std::vector<int> seedings_;  ///< per seed: how many of its times are over
   std::vector<Marker> markers_;
   std::vector<std::vector<int>> first_;  ///< markers of level l, patch p: first_[l][p] to first_[l][p + 1]
-  std::vector<Vec3> X_, X_middle_, U_, U_after_;
+  std::vector<Vec3> X_, U_, U_after_;
   int next_id_ = 0, lost_ = 0;
 };
 
