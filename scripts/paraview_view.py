@@ -38,20 +38,29 @@ def show_wall(out, view):
     display.AmbientColor = display.DiffuseColor = [0.55, 0.50, 0.48]
 
 
+def color_by(display, array):
+    """Colours a display by (association, name[, component]); returns the array's colour map."""
+    pv.ColorBy(display, array)
+    return pv.GetColorTransferFunction(array[1])
+
+
+def show_bar(display, view, colors, title, corner):
+    display.SetScalarBarVisibility(view, True)
+    bar = pv.GetScalarBar(colors, view)
+    bar.Title, bar.ComponentTitle = title, ""
+    set_place(bar, corner)
+
+
 def show_leaflets(out, view):
     leaflets = open_series(out, "structure/leaflets.hdf.series")
     if leaflets is None:
         return
     display = pv.Show(leaflets, view)
     display.LineWidth = 2.0
-    pv.ColorBy(display, ("CELLS", "strain"))
-    colors = pv.GetColorTransferFunction("strain")
+    colors = color_by(display, ("CELLS", "strain"))
     colors.ApplyPreset("Viridis (matplotlib)", True)
     colors.RescaleTransferFunction(0.0, 0.15)
-    display.SetScalarBarVisibility(view, True)
-    bar = pv.GetScalarBar(colors, view)
-    bar.Title, bar.ComponentTitle = "strain of the fibres", ""
-    set_place(bar, "Upper Right Corner")
+    show_bar(display, view, colors, "strain of the fibres", "Upper Right Corner")
 
 
 def show_speed(out, view):
@@ -64,15 +73,11 @@ def show_speed(out, view):
     plane = pv.Slice(Input=fields, SliceType="Plane")
     plane.SliceType.Origin, plane.SliceType.Normal = middle, [0.0, 1.0, 0.0]
     display = pv.Show(plane, view)
-    pv.ColorBy(display, ("CELLS", "velocity_cm_s", "Magnitude"))
-    colors = pv.GetColorTransferFunction("velocity_cm_s")
+    colors = color_by(display, ("CELLS", "velocity_cm_s", "Magnitude"))
     colors.ColorSpace, colors.RGBPoints = "RGB", SPEED
     display.Ambient, display.Diffuse = 1.0, 0.0
     colors.RescaleTransferFunction(0.0, 150.0)
-    display.SetScalarBarVisibility(view, True)
-    bar = pv.GetScalarBar(colors, view)
-    bar.Title, bar.ComponentTitle = "speed (cm/s)", ""
-    set_place(bar, "Lower Right Corner")
+    show_bar(display, view, colors, "speed (cm/s)", "Lower Right Corner")
 
 
 def show_markers(out, view):
@@ -90,8 +95,7 @@ def show_markers(out, view):
     display = pv.Show(layer, view)
     display.SetRepresentationType("Points")
     display.PointSize = 3.0
-    pv.ColorBy(display, ("POINTS", "group"))
-    colors = pv.GetColorTransferFunction("group")
+    colors = color_by(display, ("POINTS", "group"))
     colors.InterpretValuesAsCategories = 1
     colors.Annotations = [word for n in range(len(MARKER_COLORS)) for word in (str(n), f"group {n}")]
     colors.IndexedColors = sum(MARKER_COLORS, [])

@@ -67,7 +67,7 @@ std::string surrogate_toml(const CaseFile& c, const lumped::Fit& fit, const Cali
 lumped::FitProblem calibration_problem(const CaseFile& c, const TimeSeries& openings, int beat)
 {
   const RootPorts ports = root_ports(c);
-  const double period = network_from_case(c).period_s;
+  const double period = beat_length(c);
   const std::vector<double>& t = openings.column("t_s");
   const double begin = (beat - 1) * period, end = std::min(beat * period, t.empty() ? 0.0 : t.back());
   if (beat < 1 || end - begin < kShortest_s)

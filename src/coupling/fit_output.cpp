@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "common/error.hpp"
+#include "common/json_text.hpp"
 #include "common/time_series.hpp"
 #include "lumped/fit_flags.hpp"
 
@@ -19,16 +20,6 @@ std::string json_number(double value)
   return std::isfinite(value) ? fmt::format("{:.9g}", value) : "null";
 }
 
-std::string json_quoted(const std::string& text)
-{
-  std::string quoted = "\"";
-  for (char character : text) {
-    if (character == '"' || character == '\\') quoted += '\\';
-    quoted += character;
-  }
-  return quoted + '"';
-}
-
 std::string fit_json(const lumped::Fit& fit)
 {
   std::vector<std::string> estimates, rows, qualities, flags;
@@ -36,8 +27,8 @@ std::string fit_json(const lumped::Fit& fit)
     estimates.push_back(
         fmt::format("    {{\"name\": {}, \"start\": {}, \"value\": {}, \"sd\": {}, \"interval_95\": [{}, "
                     "{}], \"at_bound\": {}}}",
-                    json_quoted(e.name), json_number(e.start), json_number(e.value), json_number(e.sd),
-                    json_number(e.lowest), json_number(e.highest), e.at_bound));
+                    common::json_quoted(e.name), json_number(e.start), json_number(e.value),
+                    json_number(e.sd), json_number(e.lowest), json_number(e.highest), e.at_bound));
   for (Eigen::Index a = 0; a < fit.correlation.rows(); ++a) {
     std::vector<std::string> row;
     for (Eigen::Index b = 0; b < fit.correlation.cols(); ++b)
@@ -47,11 +38,12 @@ std::string fit_json(const lumped::Fit& fit)
   for (const lumped::FitQuality& q : fit.signals)
     qualities.push_back(
         fmt::format("    {{\"name\": {}, \"samples\": {}, \"rms\": {}, \"lag_one_correlation\": {}}}",
-                    json_quoted(q.name), q.data.size(), json_number(q.rms), json_number(q.lag_one)));
+                    common::json_quoted(q.name), q.data.size(), json_number(q.rms), json_number(q.lag_one)));
   for (const lumped::FitQuality& q : fit.summaries)
-    qualities.push_back(fmt::format("    {{\"name\": {}, \"data\": {}, \"model\": {}}}", json_quoted(q.name),
-                                    json_number(q.data.front()), json_number(q.model.front())));
-  for (const std::string& flag : fit.flags) flags.push_back("    " + json_quoted(flag));
+    qualities.push_back(fmt::format("    {{\"name\": {}, \"data\": {}, \"model\": {}}}",
+                                    common::json_quoted(q.name), json_number(q.data.front()),
+                                    json_number(q.model.front())));
+  for (const std::string& flag : fit.flags) flags.push_back("    " + common::json_quoted(flag));
   return fmt::format(
       "{{\n  \"estimates\": [\n{}\n  ],\n  \"correlation\": [\n{}\n  ],\n  \"residuals\": [\n{}\n  ],\n"
       "  \"rank\": {},\n  \"condition\": {},\n  \"chi_squared\": {},\n  \"residual_count\": {},\n"

@@ -29,11 +29,16 @@ void read_table(lumped::ElementSpec& element, const lumped::ElementType& type, c
 
 }  // namespace
 
+double beat_length(const CaseFile& c)
+{
+  const CaseTable& time = c.section("time");
+  return time.real("period_s") > 0 ? time.real("period_s") : time.real("end_s");
+}
+
 lumped::NetworkSpec network_from_case(const CaseFile& c, const std::string& data_path)
 {
   lumped::NetworkSpec spec;
-  const CaseTable& time = c.section("time");
-  spec.period_s = time.real("period_s") > 0 ? time.real("period_s") : time.real("end_s");
+  spec.period_s = beat_length(c);
   for (const CaseTable& t : c.tables("element")) {
     lumped::ElementSpec element;
     element.name = t.text("name");

@@ -9,6 +9,9 @@
 
 namespace valsalva::coupling {
 
+/// Length of a heart beat, s: time.period_s, or the whole run where that is 0.
+double beat_length(const CaseFile& c);
+
 /// The ports are those of the openings, in their order. Throws CaseError; IoError for a CSV.
 lumped::NetworkSpec network_from_case(const CaseFile& c, const std::string& data_path = "");
 

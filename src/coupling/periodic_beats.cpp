@@ -9,8 +9,7 @@
 namespace valsalva::coupling {
 
 PeriodicBeats::PeriodicBeats(const CaseFile& c)
-    : tolerance_(c.section("time").real("stop_when_periodic_within")),
-      period_s_(network_from_case(c).period_s)
+    : tolerance_(c.section("time").real("stop_when_periodic_within")), period_s_(beat_length(c))
 {
   const CaseTable& time = c.section("time");
   if (tolerance_ > 0 && time.real("period_s") == 0)

@@ -77,7 +77,7 @@ void check_same_run(const CaseFile& now, const CaseFile& then, const std::string
     p.message += " when " + checkpoint + " was written; put it back, or begin anew with --force";
     problems.push_back(std::move(p));
   }
-  const double beat = network_from_case(now).period_s, beat_then = network_from_case(then).period_s;
+  const double beat = beat_length(now), beat_then = beat_length(then);
   if (beat != beat_then)
     problems.push_back(now.section("time").problem(
         "period_s", fmt::format("the beat is {:.9g} s long now, it was {:.9g} s when {} was written; set "

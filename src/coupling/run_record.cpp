@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "common/error.hpp"
+#include "common/json_text.hpp"
 
 namespace valsalva::coupling {
 
@@ -28,16 +29,6 @@ std::string utc_now()
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
   return text;
-}
-
-std::string quoted(const std::string& text)
-{
-  std::string out = "\"";
-  for (char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) >= 0x20) out += c;
-  }
-  return out + "\"";
 }
 
 }  // namespace
@@ -60,8 +51,8 @@ void write_run_record(const std::string& folder, const RunRecord& r, const Commu
         "\"t_s\": {:.9g},\n"
         "  \"steps\": {},\n  \"cells\": {},\n  \"nodes\": {},\n  \"wall_s\": {:.3f},\n  \"peak_memory_mb\": "
         "{:.1f}\n}}\n",
-        quoted(r.case_path), quoted(r.outcome), quoted(utc_now()), quoted(host_name()), comm.size(), r.t_s,
-        r.steps, r.cells, r.nodes, r.wall_s, memory);
+        common::json_quoted(r.case_path), common::json_quoted(r.outcome), common::json_quoted(utc_now()),
+        common::json_quoted(host_name()), comm.size(), r.t_s, r.steps, r.cells, r.nodes, r.wall_s, memory);
     std::error_code error;
     std::filesystem::rename(part, path, error);
     failed = static_cast<bool>(error);

@@ -27,7 +27,7 @@ Traces::Traces(const std::string& folder, const CaseFile& c, CaseModel& model, c
     : folder_(folder),
       model_(model),
       comm_(comm),
-      period_s_(network_from_case(c).period_s),
+      period_s_(beat_length(c)),
       every_(c.section("output").integer("traces_every_steps")),
       probes_z_(c.section("output").reals("probes_z_cm")),
       center_(c.section("root").reals("center_cm"))

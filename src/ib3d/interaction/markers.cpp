@@ -27,21 +27,34 @@ bool inside(const Domain& domain, const Vec3& X)
   return in;  // false for what is not a number
 }
 
-/// The finest box under a point of the domain: its level and number in the level's list.
-struct Home {
-  int level;
-  std::size_t patch;
-  Home(const Hierarchy& grid, const Vec3& X) : level(grid.level_count()), patch(0)
+/// The finest boxes under points of the domain.
+class Homes {
+ public:
+  explicit Homes(const Hierarchy& grid) : grid_(grid)
   {
-    while (level-- > 0) {
-      const Level& at = grid.level(level);
+    for (const Level& level : grid.levels()) local_number_.push_back(level.local_numbers());
+  }
+  /// Whether the marker belongs to this rank; then it learns its level and patch.
+  bool take_in(Marker& m) const
+  {
+    if (!inside(grid_.domain(), m.X)) return false;
+    for (m.level = grid_.level_count() - 1; m.level >= 0; --m.level) {
+      const Level& at = grid_.level(m.level);
       Int3 cell{};
       for (std::size_t d = 0; d < 3; ++d)
-        cell[d] = std::min(static_cast<int>(X[static_cast<int>(d)] / at.h), at.box.hi[d] - 1);
-      for (patch = 0; patch < at.patches.size(); ++patch)
-        if (at.patches[patch].box.contains(cell)) return;
+        cell[d] = std::min(static_cast<int>(m.X[static_cast<int>(d)] / at.h), at.box.hi[d] - 1);
+      for (std::size_t n = 0; n < at.patches.size(); ++n)
+        if (at.patches[n].box.contains(cell)) {
+          m.patch = local_number_[static_cast<std::size_t>(m.level)][n];
+          return m.patch >= 0;
+        }
     }
+    return false;
   }
+
+ private:
+  const Hierarchy& grid_;
+  std::vector<std::vector<int>> local_number_;  ///< per level and patch, -1 on other ranks
 };
 
 }  // namespace
@@ -57,7 +70,6 @@ std::vector<Marker> Markers::gather(MPI_Comm comm) const
 
 void Markers::seed_due(const Hierarchy& grid, double t)
 {
-  const Communicator comm(grid.comm());
   bool any = false;
   for (std::size_t g = 0; g < seeds_.size(); ++g) {
     const MarkerSeed& seed = seeds_[g];
@@ -67,12 +79,10 @@ void Markers::seed_due(const Hierarchy& grid, double t)
     // a step that is longer than the interval passes over the times in it
     const double passed = seed.every_s > 0 ? std::floor((t + kSameTime_s - seed.start_s) / seed.every_s) : 0;
     seedings_[g] = static_cast<int>(passed) + 1;
+    const Homes homes(grid);
     for (const Vec3& X : seed.points) {
-      const Home home(grid, X);
-      const int id = next_id_++;
-      const Level& level = grid.level(home.level);
-      if (level.patches[home.patch].owner != comm.rank()) continue;
-      markers_.push_back({X, t, id, static_cast<int>(g), home.level, level.local_numbers()[home.patch]});
+      Marker marker{X, t, next_id_++, static_cast<int>(g), 0, 0};
+      if (homes.take_in(marker)) markers_.push_back(marker);
     }
     any = true;
   }
@@ -105,24 +115,16 @@ void Markers::settle(const Hierarchy& grid)
 {
   if (!wanted()) return;
   const Communicator comm(grid.comm());
-  std::vector<std::vector<int>> local_number;
-  for (const Level& level : grid.levels()) local_number.push_back(level.local_numbers());
-  const auto take_in = [&](Marker& m) {  // whether it belongs here
-    if (!inside(grid.domain(), m.X)) return false;
-    const Home home(grid, m.X);
-    m.level = home.level;
-    m.patch = local_number[static_cast<std::size_t>(home.level)][home.patch];
-    return m.patch >= 0;
-  };
+  const Homes homes(grid);
 
   std::vector<Marker> staying, leaving;
   for (Marker& m : markers_) {
     wrap(grid.domain(), m.X);
-    (take_in(m) ? staying : leaving).push_back(m);
+    (homes.take_in(m) ? staying : leaving).push_back(m);
   }
   for (Marker& m : common::gather_lists(leaving.data(), static_cast<int>(leaving.size()), comm.raw())) {
     if (!inside(grid.domain(), m.X)) ++lost_;
-    if (take_in(m)) staying.push_back(m);
+    if (homes.take_in(m)) staying.push_back(m);
   }
   markers_ = std::move(staying);
   sort_by_patch(grid);

@@ -30,13 +30,6 @@ Int3 cell_under(const Level& level, const Vec3& X)
   return c;
 }
 
-int rank_of(MPI_Comm comm)
-{
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  return rank;
-}
-
 }  // namespace
 
 NodeOwner::NodeOwner(FiberNetwork whole, const Level& level) : whole_(std::move(whole)), level_(level)
@@ -46,7 +39,7 @@ NodeOwner::NodeOwner(FiberNetwork whole, const Level& level) : whole_(std::move(
 
 void NodeOwner::distribute(const std::vector<Vec3>& X_global)
 {
-  const int rank = rank_of(level_.comm);
+  const int rank = common::Communicator(level_.comm).rank();
   const std::vector<int> local_patch = level_.local_numbers();
 
   struct Home {
@@ -88,9 +81,7 @@ void NodeOwner::distribute(const std::vector<Vec3>& X_global)
 
 void NodeOwner::plan_copies(const std::vector<int>& owner)
 {
-  int ranks = 1;
-  MPI_Comm_size(level_.comm, &ranks);
-  const auto count = static_cast<std::size_t>(ranks);
+  const auto count = static_cast<std::size_t>(common::Communicator(level_.comm).size());
   std::vector<std::vector<int>> wanted(count), wanted_local(count);
   for (std::size_t i = static_cast<std::size_t>(part_.owned); i < part_.global.size(); ++i) {
     const auto from = static_cast<std::size_t>(owner[static_cast<std::size_t>(part_.global[i])]);
