@@ -56,6 +56,12 @@ std::vector<KeySection> numerics_sections()
         choice("advection", {"xsppm7", "limited", "none"},
                "Convective flux: from seven values, from three with a limiter, or none (Stokes flow)")
             .or_else("xsppm7"),
+        real("convection_cfl", "",
+             "Convection is found anew before the CFL numbers of the steps since the last time sum up to "
+             "more, at "
+             "the latest in every fourth step; between, it is extrapolated in time. 0: in every step")
+            .in(0.0, 0.5)
+            .or_else(0.2),
         choice("viscosity_scheme", {"explicit", "crank_nicolson"},
                "Viscous term from the start of the step, or the mean of both ends, which bounds no step")
             .or_else("explicit")}},

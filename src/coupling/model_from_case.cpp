@@ -26,6 +26,7 @@ ib3d::FluidParameters fluid_from_case(const CaseFile& c)
           flux == "none"      ? ib3d::Advection::none
           : flux == "limited" ? ib3d::Advection::limited
                               : ib3d::Advection::xsppm7,
+          t.real("convection_cfl"),
           t.text("viscosity_scheme") == "explicit" ? ib3d::ViscosityScheme::explicit_
                                                    : ib3d::ViscosityScheme::crank_nicolson};
 }

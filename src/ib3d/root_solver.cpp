@@ -16,6 +16,7 @@ namespace valsalva::ib3d {
 namespace {
 
 constexpr int kStepsBetweenElasticSweeps = 30;
+constexpr int kStepsOfOneConvection = 4;
 
 }  // namespace
 
@@ -61,7 +62,17 @@ void RootSolver::begin_step(double dt)
     interaction_.spread(nodes_.first(), *forced_at, F_, f_);
   }
   const auto scope = timers_.time("momentum");
-  fluid_->begin_step(f_, dt);
+  fluid_->begin_step(f_, dt, keep_convection(dt));
+}
+
+bool RootSolver::keep_convection(double dt)
+{
+  const double cfl = dt * courant_rate_;
+  const bool keep = steps_since_convection_ < kStepsOfOneConvection &&
+                    cfl_since_convection_ + cfl <= fluid_->fluid().convection_cfl;
+  steps_since_convection_ = keep ? steps_since_convection_ + 1 : 1;
+  cfl_since_convection_ = keep ? cfl_since_convection_ + cfl : cfl;
+  return keep;
 }
 
 std::vector<double> RootSolver::solve_fluid(const std::vector<double>& opening_pressure)
@@ -180,6 +191,8 @@ void RootSolver::save_or_restore(Checkpoint& c)
   if (c.reading()) check_and_redistribute(0);  // other ranks may have other patches
   elastic_.save_or_restore(c, nodes_);
   c("structure/steps_since_elastic", steps_since_elastic_);
+  c("fluid/steps_since_convection", steps_since_convection_);
+  c("fluid/cfl_since_convection", cfl_since_convection_);
   markers_.save_or_restore(c, fluid_->grid());
 }
 

@@ -54,6 +54,8 @@ class RootSolver {
   void save_or_restore(Checkpoint& c);
 
  private:
+  /// Whether convection is left as it was found before, in a step of this length.
+  bool keep_convection(double dt);
   /// After nodes of this rank have moved by at most `moved_cells`.
   void check_and_redistribute(double moved_cells);
   void regrid_if_moved();
@@ -75,6 +77,8 @@ class RootSolver {
   std::vector<Vec3> X_of_grid_;  ///< all nodes where the grid was last found to fit them
   double moved_cells_ = 0;       ///< bound of how far anything tagged has moved since
   int steps_since_elastic_ = 0;
+  int steps_since_convection_ = 0;
+  double cfl_since_convection_ = 0;
 };
 
 }  // namespace valsalva::ib3d

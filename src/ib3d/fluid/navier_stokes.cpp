@@ -42,7 +42,7 @@ NavierStokes::NavierStokes(const Hierarchy& grid, std::vector<Opening> openings,
       modes_(opening_faces_, solver_, fluid.density),
       u_(composite_faces(grid_)),
       u_new_(composite_faces(grid_)),
-      rate_(composite_faces(grid_)),
+      rates_{composite_faces(grid_), composite_faces(grid_)},
       p_(composite_cells<double>(grid_)),
       p_before_(composite_cells<double>(grid_)),
       p_b_(solver_.problem().zero_boundary_pressure())
@@ -61,15 +61,19 @@ NavierStokes::NavierStokes(const Hierarchy& grid, const NavierStokes& before)
   for (int l = 0; l < grid_.level_count(); ++l) {
     const auto ll = static_cast<std::size_t>(l);
     regrid.carry(l, before.u_, u_, true);
-    regrid.carry(l, before.rate_, rate_, false);
+    regrid.carry(l, before.rates_.last, rates_.last, false);
+    regrid.carry(l, before.rates_.before, rates_.before, false);
     fill_velocity_ghosts(ll, u_);
-    fill_velocity_ghosts(ll, rate_);
+    fill_velocity_ghosts(ll, rates_.last);
+    fill_velocity_ghosts(ll, rates_.before);
     regrid.carry(l, before.p_, p_);
     regrid.carry(l, before.p_before_, p_before_);
     solver_.problem().grid(l).fill_ghosts(p_[ll]);
     solver_.problem().grid(l).fill_ghosts(p_before_[ll]);
   }
   u_new_ = u_;
+  rates_.age = before.rates_.age;
+  rates_.gap = before.rates_.gap;
   report_ = before.report_;
   dt_ = before.dt_;
   dt_before_ = before.dt_before_;
@@ -106,6 +110,7 @@ void NavierStokes::set_velocity(const CompositeMac& u)
   complete(u_);
   u_new_ = u_;
   dt_ = dt_before_ = 0;
+  rates_.age = rates_.gap = 0;
 }
 
 double NavierStokes::courant_rate() const
@@ -124,27 +129,34 @@ std::vector<double> NavierStokes::kinetic_outflow() const
   });
 }
 
-void NavierStokes::begin_step(const MacField& f, double dt)
+void NavierStokes::begin_step(const MacField& f, double dt, bool keep_rates)
 {
   std::vector<const MacField*> force(u_.size(), nullptr);
   force.back() = &f;
-  advance_velocity(force, dt);
+  advance_velocity(force, dt, keep_rates);
 }
 
-void NavierStokes::begin_step(const CompositeMac& f, double dt)
+void NavierStokes::begin_step(const CompositeMac& f, double dt, bool keep_rates)
 {
   std::vector<const MacField*> force;
   for (const MacField& level : f) force.push_back(&level);
-  advance_velocity(force, dt);
+  advance_velocity(force, dt, keep_rates);
 }
 
-void NavierStokes::advance_velocity(const std::vector<const MacField*>& f, double dt)
+void NavierStokes::advance_velocity(const std::vector<const MacField*>& f, double dt, bool keep_rates)
 {
   dt_before_ = dt_;
   dt_ = dt;
-  const double w1 = dt_before_ > 0 ? -0.5 * dt / dt_before_ : 0.0;
+  const bool keep = keep_rates && rates_.age > 0;
+  if (!keep) rates_.renew();
+  const double w1 = rates_.weight_before(dt);
+  rates_.age += dt;
   for (std::size_t l = 0; l < u_.size(); ++l) {
-    advance_momentum(grid_.levels()[l], fluid_, u_[l], f[l], dt, w1, rate_[l], u_new_[l]);
+    const Level& level = grid_.levels()[l];
+    if (keep)
+      advance_momentum_kept(level, fluid_, u_[l], f[l], dt, w1, rates_.last[l], rates_.before[l], u_new_[l]);
+    else
+      advance_momentum(level, fluid_, u_[l], f[l], dt, w1, rates_.last[l], rates_.before[l], u_new_[l]);
     close_walls(solver_.problem().grid(static_cast<int>(l)), u_new_[l]);
     shared_faces_[l].fill(u_new_[l]);  // f is complete on owned faces only
   }
@@ -222,11 +234,14 @@ void NavierStokes::subtract_gradient(double dt)
 void NavierStokes::save_or_restore(Checkpoint& c)
 {
   c("fluid/dt", dt_);
+  c("fluid/rates_age", rates_.age);
+  c("fluid/rates_gap", rates_.gap);
   for (std::size_t l = 0; l < u_.size(); ++l) {
     const std::string name = fmt::format("fluid/level_{}/", l);
     const Level& level = grid_.levels()[l];
     ib3d::save_or_restore(c, name + "u", level, u_[l]);
-    ib3d::save_or_restore(c, name + "rate", level, rate_[l]);
+    ib3d::save_or_restore(c, name + "rate", level, rates_.last[l]);
+    ib3d::save_or_restore(c, name + "rate_before", level, rates_.before[l]);
     ib3d::save_or_restore(c, name + "p", level, p_[l]);
     ib3d::save_or_restore(c, name + "p_before", level, p_before_[l]);
   }

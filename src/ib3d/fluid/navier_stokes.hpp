@@ -1,7 +1,7 @@
 // One projection step of the incompressible Navier-Stokes equations on the MAC grid, for given force density
 // and opening pressures (docs/scheme.md, section 2):
-//     u*      = u^n + dt [ 3/2 G^n - 1/2 G^{n-1} + f/rho ]        begin_step (variable-step weights); the implicit half
-//                                                                 of Crank-Nicolson viscosity: solve_pressure
+//     u*      = u^n + dt [ G + f/rho ]                            begin_step: G extrapolated (momentum.hpp); the implicit
+//                                                                 half of Crank-Nicolson viscosity: solve_pressure
 //     lap p   = (rho/dt) div u*,  p = p_k on opening k            solve_pressure -> flows Q0
 //     u^{n+1} = u* - (dt/rho) grad p                              finish_step(phi)
 // on all levels with one dt; coarse faces under finer ones hold the mean of these. The whole pressure is solved for in
@@ -30,9 +30,11 @@ class NavierStokes {
   NavierStokes& operator=(const NavierStokes&) = delete;
 
   /// u* from u^n; f in dyn/cm^3 on the faces of the finest level, complete on the owned ones; none on the others.
-  void begin_step(const MacField& f, double dt);
+  /// keep_rates: convection and explicit viscosity are extrapolated from where they were found before instead of being
+  /// found at t^n (not in the first step after set_velocity).
+  void begin_step(const MacField& f, double dt, bool keep_rates = false);
   /// The same with a force on all levels.
-  void begin_step(const CompositeMac& f, double dt);
+  void begin_step(const CompositeMac& f, double dt, bool keep_rates = false);
   /// Solves for p with these mean opening pressures (dyn/cm^2, one per opening) and returns the flows (ml/s,
   /// outward) that would result. Where the profile is not uniform the pressure on a face is lowered by
   /// rho (w|w| - W|W|), w the inward velocity and W its mean over the disc: neutral for plug flow, it keeps
@@ -67,7 +69,7 @@ class NavierStokes {
   void save_or_restore(Checkpoint& c);
 
  private:
-  void advance_velocity(const std::vector<const MacField*>& f, double dt);
+  void advance_velocity(const std::vector<const MacField*>& f, double dt, bool keep_rates);
   void prescribe(const std::vector<double>& opening_pressure);
   void diffuse();
   /// u_new_ -= (dt/rho) grad p.
@@ -88,7 +90,8 @@ class NavierStokes {
   std::optional<ViscousSolver> viscous_;  ///< with Crank-Nicolson viscosity
   std::vector<Halo> faces_;               ///< all ghosts of a velocity, per level
   std::vector<Halo> shared_faces_;        ///< only the faces that two patches share, from their owner
-  CompositeMac u_, u_new_, rate_;
+  CompositeMac u_, u_new_;
+  Rates rates_;
   CompositeCells<double> p_, p_before_;
   std::vector<BoundaryPressure> p_b_;
   KrylovReport report_;

@@ -22,17 +22,29 @@ struct MomentumWeights {
   double apart;                  ///< of h^2 lap u in u*, beside its part in G
 };
 
-/// out = q + now G + before g + apart L,  G = convection div + diffusion L,  L = neighbours - 6 q; then g = G.
-inline void momentum_row(double* __restrict out, double* __restrict g, const double* __restrict q,
-                         const double* __restrict div, MomentumWeights w, std::ptrdiff_t sy,
-                         std::ptrdiff_t sz, int n)
+/// g = G = convection div + diffusion L,  L = neighbours - 6 q;  out = q + now G + before g_before + apart L.
+inline void momentum_row(double* __restrict out, double* __restrict g, const double* __restrict g_before,
+                         const double* __restrict q, const double* __restrict div, MomentumWeights w,
+                         std::ptrdiff_t sy, std::ptrdiff_t sz, int n)
 {
   for (int i = 0; i < n; ++i) {
     const double laplacian = neighbours(q, i, sy, sz) - 6 * q[i];
     const double rate = w.convection * div[i] + w.diffusion * laplacian;
-    out[i] = q[i] + w.now * rate + w.before * g[i] + w.apart * laplacian;
+    out[i] = q[i] + w.now * rate + w.before * g_before[i] + w.apart * laplacian;
     g[i] = rate;
   }
+}
+
+/// The same with a rate g that is kept.
+inline void kept_momentum_row(double* __restrict out, const double* __restrict g,
+                              const double* __restrict g_before, const double* __restrict q,
+                              MomentumWeights w, std::ptrdiff_t sy, std::ptrdiff_t sz, int n)
+{
+  if (w.apart == 0)
+    for (int i = 0; i < n; ++i) out[i] = q[i] + w.now * g[i] + w.before * g_before[i];
+  else
+    for (int i = 0; i < n; ++i)
+      out[i] = q[i] + w.now * g[i] + w.before * g_before[i] + w.apart * (neighbours(q, i, sy, sz) - 6 * q[i]);
 }
 
 /// out = (b + a neighbours)/(1 + 6 a): one Jacobi sweep for (1 + 6 a) q - a neighbours = b.

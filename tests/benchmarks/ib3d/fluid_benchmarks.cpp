@@ -64,9 +64,10 @@ void momentum(benchmark::State& state, Advection advection)
 {
   const Hierarchy grid = grid_of(1);
   const CompositeMac u = rough_faces(grid), f = rough_faces(grid);
-  CompositeMac rate = composite_faces(grid), u_star = composite_faces(grid);
+  CompositeMac rate = composite_faces(grid), before = composite_faces(grid), u_star = composite_faces(grid);
   for (auto _ : state)
-    advance_momentum(grid.finest(), {1.0, 0.04, advection}, u[0], &f[0], 1e-4, -0.5, rate[0], u_star[0]);
+    advance_momentum(grid.finest(), {1.0, 0.04, advection}, u[0], &f[0], 1e-4, -0.5, rate[0], before[0],
+                     u_star[0]);
   state.counters["per_cell"] = each(static_cast<double>(grid.valid_cell_count()));
 }
 BENCHMARK_CAPTURE(momentum, none, Advection::none)->Unit(benchmark::kMillisecond);
@@ -77,7 +78,7 @@ BENCHMARK_CAPTURE(momentum, xsppm7, Advection::xsppm7)->Unit(benchmark::kMillise
 void step(benchmark::State& state, ViscosityScheme viscosity)
 {
   const Hierarchy grid = grid_of(static_cast<int>(state.range(0)));
-  NavierStokes fluid(grid, openings(), {1.0, 0.04, Advection::xsppm7, viscosity}, {});
+  NavierStokes fluid(grid, openings(), {1.0, 0.04, Advection::xsppm7, 0, viscosity}, {});
   fluid.set_velocity(rough_faces(grid));
   const CompositeMac none = composite_faces(grid);
   for (auto _ : state) {

@@ -42,6 +42,16 @@ TEST(FluidOrder, CarriedTaylorGreenVorticesAreSecondOrder)
     for (const int n : {16, 32}) expect_second_order(taylor_green(), scheme, n);
 }
 
+TEST(FluidOrder, ConvectionOfEveryFourthStepIsSecondOrder)
+{
+  for (const Scheme& scheme : kSchemes) {
+    ExactFlow flow = taylor_green();
+    flow.dt_per_h = 0.035;
+    flow.steps_of_one_convection = 4;
+    expect_second_order(flow, scheme, 32);
+  }
+}
+
 TEST(FluidOrder, VorticesAcrossARefinedPatchAreSecondOrder)
 {
   for (const Scheme& scheme : kSchemes)
