@@ -11,7 +11,7 @@ namespace valsalva::common {
 namespace {
 
 constexpr const char* kFormat = "valsalva checkpoint";
-constexpr std::array<std::int64_t, 1> kVersion{2};  ///< goes up when names or meanings of values change
+constexpr std::array<std::int64_t, 1> kVersion{3};  ///< goes up when names or meanings of values change
 
 }  // namespace
 

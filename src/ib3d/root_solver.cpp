@@ -67,7 +67,9 @@ void RootSolver::begin_step(double dt)
 
 bool RootSolver::keep_convection(double dt)
 {
-  const double cfl = dt * courant_rate_;
+  // viscosity has its share of the same stretch of stability (scheme 5.1)
+  const double viscous = viscous_step_limit(fluid_->grid().finest(), fluid_->fluid());
+  const double cfl = dt * (courant_rate_ + 0.5 / viscous);
   const bool keep = steps_since_convection_ < kStepsOfOneConvection &&
                     cfl_since_convection_ + cfl <= fluid_->fluid().convection_cfl;
   steps_since_convection_ = keep ? steps_since_convection_ + 1 : 1;
