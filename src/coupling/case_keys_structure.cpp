@@ -99,6 +99,12 @@ std::vector<KeySection> structure_sections()
             .or_else("none"),
         choice("scheme", {"leapfrog", "midpoint"}, "Time stepping of the fibre positions")
             .or_else("leapfrog"),
+        real("fold_relaxation_s", "s",
+             "Time in which folds of the node spacing are flattened through the fluid, which does not feel "
+             "them; "
+             "0: never")
+            .at_least(0)
+            .or_else(0.0),
         text("files_prefix", "Path of the fibre files without their endings, relative to the case")
             .or_else("")}},
       root_section(),

@@ -236,7 +236,8 @@ CaseModel::CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers)
                                                                 : ib3d::StructureScheme::leapfrog,
             timers, refinement_,
             marker_seeds_from_case(c, domain_,
-                                   ib3d::finest_spacing(domain_, h_from_case(c), refinement_.levels))),
+                                   ib3d::finest_spacing(domain_, h_from_case(c), refinement_.levels)),
+            c.section("structure").real("fold_relaxation_s")),
       model_(root_, circulation_,
              c.section("coupling").text("scheme") == "explicit" ? CouplingScheme::explicit_
                                                                 : CouplingScheme::implicit_,

@@ -10,6 +10,7 @@
 #include "ib3d/fluid/vorticity.hpp"
 #include "ib3d/grid/field_checkpoint.hpp"
 #include "ib3d/structure/fiber_force.hpp"
+#include "ib3d/structure/fold_relaxation.hpp"
 
 namespace valsalva::ib3d {
 
@@ -22,8 +23,10 @@ constexpr int kStepsOfOneConvection = 4;
 
 RootSolver::RootSolver(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
                        const PressureOptions& pressure, FiberNetwork structure, StructureScheme scheme,
-                       Timers& timers, RefinementPolicy refinement, std::vector<MarkerSeed> seeds)
+                       Timers& timers, RefinementPolicy refinement, std::vector<MarkerSeed> seeds,
+                       double fold_relaxation)
     : scheme_(scheme),
+      fold_relaxation_(fold_relaxation),
       timers_(timers),
       policy_(std::move(refinement)),
       fluid_(std::make_unique<NavierStokes>(grid, std::move(openings), fluid, pressure)),
@@ -48,6 +51,7 @@ void RootSolver::begin_step(double dt)
   if (scheme_ == StructureScheme::midpoint) {
     const auto scope = timers_.time("interpolate");
     interaction_.interpolate(nodes_.first(), X_, fluid_->u().back(), U_);
+    add_slip(X_);
     X_middle_.resize(count);
     for (std::size_t n = 0; n < count; ++n) X_middle_[n] = X_[n] + 0.5 * dt * U_[n];
     nodes_.fill_copies(X_middle_);
@@ -97,8 +101,10 @@ void RootSolver::accept(const std::vector<double>& phi)
       interaction_.interpolate(nodes_.first(), X_middle_, fluid_->u_before().back(), U_before_);
       interaction_.interpolate(nodes_.first(), X_middle_, fluid_->u().back(), U_);
       for (std::size_t n = 0; n < U_.size(); ++n) U_[n] = 0.5 * (U_[n] + U_before_[n]);
+      add_slip(X_middle_);
     } else {
       interaction_.interpolate(nodes_.first(), X_, fluid_->u().back(), U_);
+      add_slip(X_);
     }
     for (std::size_t n = 0; n < static_cast<std::size_t>(nodes_.owned()); ++n) {
       X_[n] += dt_ * U_[n];
@@ -112,6 +118,12 @@ void RootSolver::accept(const std::vector<double>& phi)
   }
   const auto scope = timers_.time("step control");
   check_and_redistribute(dt_ * fastest / fluid_->grid().finest().h);
+}
+
+void RootSolver::add_slip(const std::vector<Vec3>& X)
+{
+  // Steps longer than the time would overshoot.
+  if (fold_relaxation_ > 0) add_fold_slip(nodes_.part().network, X, std::max(fold_relaxation_, dt_), U_);
 }
 
 void RootSolver::check_and_redistribute(double moved_cells)

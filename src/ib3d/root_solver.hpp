@@ -7,6 +7,7 @@
 // Structure updates (key structure.scheme):
 //   leapfrog  F[X^n] drives u^{n+1};  X^{n+1} = X^n + dt J[X^n] u^{n+1}
 //   midpoint  X' = X^n + dt/2 J[X^n] u^n;  F[X'] drives u^{n+1};  X^{n+1} = X^n + dt J[X'] (u^n + u^{n+1})/2
+// With fold_relaxation > 0 (key structure.fold_relaxation_s) J u is joined by the slip of structure/fold_relaxation.
 // All calls are collective. dyn, cm, s.
 #pragma once
 
@@ -24,11 +25,13 @@ enum class StructureScheme { leapfrog, midpoint };
 
 class RootSolver {
  public:
-  /// `refinement` says when and how the grid follows the structure and the flow, `seeds` where passive markers set out.
+  /// `refinement` says when and how the grid follows the structure and the flow, `seeds` where passive markers set out,
+  /// `fold_relaxation` (s; 0: never) in what time folds of the node spacing are flattened.
   /// Throws SolverError when a node lies outside the domain.
   RootSolver(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
              const PressureOptions& pressure, FiberNetwork structure, StructureScheme scheme, Timers& timers,
-             RefinementPolicy refinement = {}, std::vector<MarkerSeed> seeds = {});
+             RefinementPolicy refinement = {}, std::vector<MarkerSeed> seeds = {},
+             double fold_relaxation = 0);
 
   void begin_step(double dt);
   std::vector<double> solve_fluid(const std::vector<double>& opening_pressure);
@@ -62,7 +65,11 @@ class RootSolver {
   /// Moves everything to refined levels of these boxes, made for nodes at X (all of them).
   void rebuild(const Refinement& boxes, const std::vector<Vec3>& X);
 
+  /// Adds to U_ the slip of the nodes at X.
+  void add_slip(const std::vector<Vec3>& X);
+
   StructureScheme scheme_;
+  double fold_relaxation_;  ///< s
   Timers& timers_;
   RefinementPolicy policy_;
   std::unique_ptr<NavierStokes> fluid_;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ib3d/fluid/tube.hpp"
+#include "ib3d/output/mpi_session.hpp"
 #include "ib3d/root_solver.hpp"
 #include "ib3d/structure/random_network.hpp"
 
@@ -28,10 +29,15 @@ std::vector<Opening> two_discs()
   return {{"inlet", 4, {1, 1, 0}, 0.6, "lv"}, {"outlet", 5, {1, 1, 0}, 0.7, "ao"}};
 }
 
-struct Run {
-  Run(MPI_Comm comm, int boxes, StructureScheme scheme)
+struct TangleRun {
+  TangleRun(MPI_Comm comm, int boxes, StructureScheme scheme, double fold_relaxation = 0)
       : grid(walled_box(kSize), 0.125, comm, boxes),
-        root(grid, two_discs(), {}, {"multilevel", 1e-11, 100}, tangle(), scheme, timers)
+        root(grid, two_discs(), {}, {"multilevel", 1e-11, 100}, tangle(), scheme, timers, {}, {},
+             fold_relaxation)
+  {
+    advance();
+  }
+  void advance()
   {
     for (int step = 0; step < 4; ++step) {
       root.begin_step(1e-3);
@@ -45,7 +51,7 @@ struct Run {
 };
 
 /// Largest velocity of `one` (one box on every rank), and largest difference of `many` from it.
-void compare(const Run& one, const Run& many, double& speed, double& difference)
+void compare(const TangleRun& one, const TangleRun& many, double& speed, double& difference)
 {
   const Level& level = many.grid.finest();
   speed = difference = 0;
@@ -62,18 +68,27 @@ void compare(const Run& one, const Run& many, double& speed, double& difference)
   difference = both[1];
 }
 
-void expect_the_same(int boxes, StructureScheme scheme)
+double furthest_apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
 {
-  const Run one(MPI_COMM_SELF, 1, scheme), many(MPI_COMM_WORLD, boxes, scheme);
+  double apart = 0;
+  for (std::size_t n = 0; n < a.size(); ++n) apart = std::max(apart, norm(a[n] - b[n]));
+  return apart;
+}
+
+std::vector<Vec3> positions(const TangleRun& run)
+{
+  return run.root.nodes().gather(run.root.X());
+}
+
+void expect_the_same(int boxes, StructureScheme scheme, double fold_relaxation = 0)
+{
+  const TangleRun one(MPI_COMM_SELF, 1, scheme, fold_relaxation),
+      many(MPI_COMM_WORLD, boxes, scheme, fold_relaxation);
   double speed = 0, difference = 0;
   compare(one, many, speed, difference);
   EXPECT_GT(speed, 0.1);
   EXPECT_LT(difference / speed, 1e-9) << boxes << " boxes";
-  const std::vector<Vec3> a = one.root.nodes().gather(one.root.X()),
-                          b = many.root.nodes().gather(many.root.X());
-  double apart = 0;
-  for (std::size_t n = 0; n < a.size(); ++n) apart = std::max(apart, norm(a[n] - b[n]));
-  EXPECT_LT(apart, 1e-11 * speed);
+  EXPECT_LT(furthest_apart(positions(one), positions(many)), 1e-11 * speed);
 }
 
 TEST(RootSolver, LeapfrogDoesNotNoticeTheBoxes)
@@ -86,6 +101,31 @@ TEST(RootSolver, MidpointDoesNotNoticeTheBoxes)
 {
   expect_the_same(0, StructureScheme::midpoint);
   expect_the_same(6, StructureScheme::midpoint);
+}
+
+TEST(RootSolver, FoldsFlattenWhateverTheBoxes)
+{
+  const TangleRun with(MPI_COMM_SELF, 1, StructureScheme::leapfrog, 4e-3),
+      without(MPI_COMM_SELF, 1, StructureScheme::leapfrog);
+  ASSERT_GT(furthest_apart(positions(with), positions(without)), 0.01);
+  expect_the_same(8, StructureScheme::leapfrog, 4e-3);
+  expect_the_same(6, StructureScheme::midpoint, 4e-3);
+}
+
+TEST(RootSolver, FoldsFlattenOnBitForBitAfterARestart)
+{
+  const std::string path = shared_file("folds.h5");
+  TangleRun whole(MPI_COMM_WORLD, 8, StructureScheme::leapfrog, 4e-3),
+      second(MPI_COMM_WORLD, 8, StructureScheme::leapfrog, 4e-3);
+  Checkpoint written = Checkpoint::create(path, MPI_COMM_WORLD);
+  whole.root.save_or_restore(written);
+  written.close();
+  whole.advance();
+  second.advance();  // what is restored must not depend on what was there
+  Checkpoint read = Checkpoint::open(path, MPI_COMM_WORLD);
+  second.root.save_or_restore(read);
+  second.advance();
+  EXPECT_EQ(positions(second), positions(whole));
 }
 
 }  // namespace
