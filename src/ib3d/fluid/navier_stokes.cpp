@@ -6,6 +6,7 @@
 
 #include "ib3d/fluid/advection.hpp"
 #include "ib3d/fluid/row_kernels.hpp"
+#include "ib3d/fluid/velocity_correction.hpp"
 #include "ib3d/grid/field_checkpoint.hpp"
 #include "ib3d/grid/mirror.hpp"
 #include "ib3d/grid/regrid.hpp"
@@ -212,8 +213,7 @@ std::vector<double> NavierStokes::solve_pressure(const std::vector<double>& open
 
 void NavierStokes::finish_step(const std::vector<double>& phi)
 {
-  modes_.add(phi, p_);
-  subtract_gradient(dt_);
+  correct_velocity(grid_, modes_, phi, dt_ / fluid_.density, p_, u_new_);
   average_down(u_new_);
   fill_velocity_ghosts(u_new_);
   std::swap(u_, u_new_);
@@ -221,14 +221,8 @@ void NavierStokes::finish_step(const std::vector<double>& phi)
 
 void NavierStokes::subtract_gradient(double dt)
 {
-  for (std::size_t l = 0; l < u_.size(); ++l) {
-    const Level& level = grid_.levels()[l];
-    const double factor = dt / (fluid_.density * level.h);
-    for_each_face_row(level, [&](int p, int c, int i, int j, int k, int n) {
-      const Array3<double>& pressure = p_[l][p];
-      correct_row(u_new_[l](p, c).at(i, j, k), pressure.at(i, j, k), factor, pressure.stride(c), n);
-    });
-  }
+  for (std::size_t l = 0; l < u_.size(); ++l)
+    ib3d::subtract_gradient(grid_.levels()[l], dt / fluid_.density, p_[l], u_new_[l]);
 }
 
 void NavierStokes::save_or_restore(Checkpoint& c)
