@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ib3d/fluid/advection.hpp"
@@ -50,7 +51,7 @@ NavierStokes::NavierStokes(const Hierarchy& grid, std::vector<Opening> openings,
 {
   if (fluid.viscosity_scheme == ViscosityScheme::crank_nicolson) viscous_.emplace(grid_);
   for (const Level& level : grid_.levels()) {
-    faces_.push_back(Halo::for_faces(level));
+    faces_.push_back(Halo::for_faces(level, std::max(ghosts_read(fluid.advection), kNodeGhosts)));
     shared_faces_.push_back(Halo::for_faces(level, 0));
   }
 }
@@ -89,7 +90,7 @@ void NavierStokes::fill_velocity_ghosts(std::size_t l, CompositeMac& u)
 {
   if (l > 0) transfers_[l - 1].fill_ghosts(u[l - 1], u[l]);
   faces_[l].fill(u[l]);
-  fill_mirrored(grid_.levels()[l], u[l]);
+  fill_mirrored(grid_.levels()[l], u[l], ghosts_read(fluid_.advection));
 }
 
 void NavierStokes::fill_velocity_ghosts(CompositeMac& u)

@@ -18,6 +18,8 @@ namespace valsalva::ib3d {
 
 /// Ghost layers of velocities: 4 for the widest flux (xsPPM7); 2 for the delta support and 1 for drifting nodes.
 inline constexpr int kMacGhosts = 4;
+/// Those that the delta function reads and writes between patches.
+inline constexpr int kNodeGhosts = 3;
 
 template <class T>
 class Array3 {

@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "ib3d/grid/mirror.hpp"
 #include "ib3d/interaction/delta.hpp"
 
 namespace valsalva::ib3d {
@@ -241,12 +240,6 @@ void interpolate(const Level& level, std::span<const int> first, std::span<const
         U[node][c] = sum_of_rows(corner_of(s, c, origin[c], stored, sy, sz), sy, sz, s, c);
     });
   }
-}
-
-void Interaction::fill_ghosts(MacField& u) const
-{
-  faces_.fill(u);
-  fill_mirrored(level_, u);
 }
 
 }  // namespace valsalva::ib3d

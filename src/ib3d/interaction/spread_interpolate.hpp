@@ -24,7 +24,7 @@ void interpolate(const Level& level, std::span<const int> first, std::span<const
 
 class Interaction {
  public:
-  explicit Interaction(const Level& level) : level_(level), faces_(Halo::for_faces(level)) {}
+  explicit Interaction(const Level& level) : level_(level), faces_(Halo::for_faces(level, kNodeGhosts)) {}
 
   /// f = S[X] F on the owned faces; f is overwritten, ghosts included. Forces on wall faces are lost to the
   /// wall. Collective.
@@ -36,8 +36,8 @@ class Interaction {
   {
     ib3d::interpolate(level_, first, X, u, U);
   }
-  /// Fills the ghosts of a velocity: between patches, then beyond the sides. Collective.
-  void fill_ghosts(MacField& u) const;
+  /// Fills the ghosts of a velocity that `interpolate` reads: those between patches. Collective.
+  void fill_ghosts(MacField& u) const { faces_.fill(u); }
 
  private:
   Level level_;
