@@ -132,7 +132,8 @@ CoarseFine::CoarseFine(const Level& coarse, const Level& fine, int ghosts)
       down_cells_(coarse.comm),
       up_ghosts_(coarse.comm),
       shadow_(coarsened_, kShadowGhosts),
-      cells_(coarsened_, kShadowGhosts)
+      cells_(coarsened_, kShadowGhosts),
+      cells_float_(coarsened_, 0)
 {
   const std::vector<int> here = coarse_.local_numbers(), there = fine_.local_numbers();
   for (std::size_t f = 0; f < fine_.patches.size(); ++f)
@@ -219,16 +220,15 @@ void CoarseFine::average_down(const MacField& fine, MacField& coarse)
 template <class T>
 void CoarseFine::average_down(const CellField<T>& fine, CellField<T>& coarse)
 {
-  std::vector<Array3<T>> means;
+  CellField<T>& means = this->means(T{});
   for (int p = 0; p < fine_.local_count(); ++p) {
     const IndexBox& box = coarsened_.local_box(p);
-    means.emplace_back(box);
     for_each_row(box, [&](int j, int k) {
-      mean_of_cells(means.back().at(box.lo[0], j, k), fine[p].at(2 * box.lo[0], 2 * j, 2 * k),
-                    fine[p].stride(1), fine[p].stride(2), box.size(0));
+      mean_of_cells(means[p].at(box.lo[0], j, k), fine[p].at(2 * box.lo[0], 2 * j, 2 * k), fine[p].stride(1),
+                    fine[p].stride(2), box.size(0));
     });
   }
-  down_cells_.forward<T>([&](int p, int) -> const Array3<T>& { return means[static_cast<std::size_t>(p)]; },
+  down_cells_.forward<T>([&](int p, int) -> const Array3<T>& { return means[p]; },
                          [&](int p, int) -> Array3<T>& { return coarse[p]; });
 }
 template void CoarseFine::average_down(const CellField<float>&, CellField<float>&);
