@@ -117,7 +117,7 @@ void RootSolver::accept(const std::vector<double>& phi)
   }
   if (markers_.wanted()) {
     const auto scope = timers_.time("markers");
-    markers_.advance(fluid_->grid(), fluid_->u_before(), fluid_->u(), dt_);
+    markers_.advance(fluid_->grid(), fluid_->u(), dt_);
   }
   const auto scope = timers_.time("step control");
   check_and_redistribute(dt_ * fastest / fluid_->grid().finest().h);

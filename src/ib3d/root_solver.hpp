@@ -34,7 +34,7 @@ class RootSolver {
   std::vector<double> solve_fluid(const std::vector<double>& opening_pressure);
   void accept(const std::vector<double>& phi);
   /// Lets the markers set out that are due at time t: at the start, and after every step.
-  void seed_markers(double t) { markers_.seed_due(fluid_->grid(), t); }
+  void seed_markers(double t) { markers_.seed_due(fluid_->grid(), fluid_->u(), t); }
 
   /// Largest of |u| + |v| + |w| over h in the current velocity (1/s), the same on all ranks.
   double courant_rate() const { return courant_rate_; }
