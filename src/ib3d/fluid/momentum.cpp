@@ -67,30 +67,4 @@ double viscous_step_limit(const Level& level, const FluidParameters& fluid)
   return 0.5 * fluid.density * level.h * level.h / (6 * fluid.viscosity);
 }
 
-double courant_rate(const Level& level, const MacField& u)
-{
-  double largest = 0;
-  for (int p = 0; p < level.local_count(); ++p) {
-    const IndexBox& box = level.local_box(p);
-    const std::ptrdiff_t sy = u(p, 1).stride(1), sz = u(p, 2).stride(2);
-    for_each_row(box, [&](int j, int k) {
-      const double* a = u(p, 0).at(box.lo[0], j, k);
-      const double* b = u(p, 1).at(box.lo[0], j, k);
-      const double* c = u(p, 2).at(box.lo[0], j, k);
-      double row = 0, total = 0;
-#pragma omp simd reduction(max : row) reduction(+ : total)
-      for (int i = 0; i < box.size(0); ++i) {
-        const double x = std::max(std::abs(a[i]), std::abs(a[i + 1]));
-        const double y = std::max(std::abs(b[i]), std::abs(b[i + sy]));
-        const double z = std::max(std::abs(c[i]), std::abs(c[i + sz]));
-        row = std::max(row, x + y + z);
-        total += x + y + z;
-      }
-      // A maximum passes over what is not a number; the sum does not.
-      largest = std::isfinite(total) ? std::max(largest, row) : std::numeric_limits<double>::infinity();
-    });
-  }
-  return largest / level.h;
-}
-
 }  // namespace valsalva::ib3d

@@ -49,7 +49,4 @@ void advance_momentum_kept(const Level& level, const FluidParameters& fluid, con
 /// one.
 double viscous_step_limit(const Level& level, const FluidParameters& fluid);
 
-/// Largest of |u|/h + |v|/h + |w|/h over the cells (1/s): the CFL number per unit of time. Local to the rank.
-double courant_rate(const Level& level, const MacField& u);
-
 }  // namespace valsalva::ib3d

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ib3d/fluid/advection.hpp"
+#include "ib3d/fluid/courant_rate.hpp"
 #include "ib3d/fluid/row_kernels.hpp"
 #include "ib3d/fluid/velocity_correction.hpp"
 #include "ib3d/grid/field_checkpoint.hpp"
@@ -113,12 +114,13 @@ void NavierStokes::set_velocity(const CompositeMac& u)
   u_new_ = u_;
   dt_ = dt_before_ = 0;
   rates_.age = rates_.gap = 0;
+  finest_rate_.reset();
 }
 
 double NavierStokes::courant_rate() const
 {
-  double largest = 0;
-  for (std::size_t l = 0; l < u_.size(); ++l)
+  double largest = finest_rate_ ? *finest_rate_ : ib3d::courant_rate(grid_.finest(), u_.back());
+  for (std::size_t l = 0; l + 1 < u_.size(); ++l)
     largest = std::max(largest, ib3d::courant_rate(grid_.levels()[l], u_[l]));
   return largest;
 }
@@ -214,7 +216,7 @@ std::vector<double> NavierStokes::solve_pressure(const std::vector<double>& open
 
 void NavierStokes::finish_step(const std::vector<double>& phi)
 {
-  correct_velocity(grid_, modes_, phi, dt_ / fluid_.density, p_, u_new_);
+  finest_rate_ = correct_velocity(grid_, modes_, phi, dt_ / fluid_.density, p_, u_new_);
   average_down(u_new_);
   fill_velocity_ghosts(u_new_);
   std::swap(u_, u_new_);
@@ -240,7 +242,9 @@ void NavierStokes::save_or_restore(Checkpoint& c)
     ib3d::save_or_restore(c, name + "p", level, p_[l]);
     ib3d::save_or_restore(c, name + "p_before", level, p_before_[l]);
   }
-  if (c.reading()) fill_velocity_ghosts(u_);
+  if (!c.reading()) return;
+  fill_velocity_ghosts(u_);
+  finest_rate_.reset();
 }
 
 }  // namespace valsalva::ib3d

@@ -97,6 +97,7 @@ class NavierStokes {
   KrylovReport report_;
   int viscous_sweeps_ = 0;
   double dt_ = 0, dt_before_ = 0;
+  std::optional<double> finest_rate_;  ///< Courant rate of u_ on the finest level, where a step has left it
 };
 
 }  // namespace valsalva::ib3d

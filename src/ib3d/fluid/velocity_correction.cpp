@@ -1,5 +1,8 @@
 #include "ib3d/fluid/velocity_correction.hpp"
 
+#include <algorithm>
+
+#include "ib3d/fluid/courant_rate.hpp"
 #include "ib3d/fluid/row_kernels.hpp"
 
 namespace valsalva::ib3d {
@@ -32,21 +35,25 @@ void subtract_gradient(const Level& level, double time_over_density, const CellF
   }
 }
 
-void correct_velocity(const Hierarchy& grid, const OpeningModes& modes, const std::vector<double>& phi,
-                      double time_over_density, CompositeCells<double>& p, CompositeMac& u)
+double correct_velocity(const Hierarchy& grid, const OpeningModes& modes, const std::vector<double>& phi,
+                        double time_over_density, CompositeCells<double>& p, CompositeMac& u)
 {
+  double rate = 0;
   for (int l = 0; l < grid.level_count(); ++l) {
     const Level& level = grid.level(l);
+    const bool finest = l + 1 == grid.level_count();
     const auto ll = static_cast<std::size_t>(l);
     for (int patch = 0; patch < level.local_count(); ++patch) {
       const IndexBox& cells = level.local_box(patch);
       for (int k = cells.lo[2] - 1; k <= cells.hi[2]; ++k) {
         modes.add_to_plane(phi, l, patch, k, p[ll][patch]);
-        if (k >= cells.lo[2])
-          correct_plane(level, patch, k, time_over_density / level.h, p[ll][patch], u[ll]);
+        if (k < cells.lo[2]) continue;
+        correct_plane(level, patch, k, time_over_density / level.h, p[ll][patch], u[ll]);
+        if (finest && k > cells.lo[2]) rate = std::max(rate, courant_rate(level, u[ll], patch, k - 1));
       }
     }
   }
+  return rate;
 }
 
 }  // namespace valsalva::ib3d

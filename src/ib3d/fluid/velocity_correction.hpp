@@ -12,8 +12,9 @@ namespace valsalva::ib3d {
 /// u -= time_over_density grad p on one level (cm^3 s/g). Local to the rank.
 void subtract_gradient(const Level& level, double time_over_density, const CellField<double>& p, MacField& u);
 
-/// The same on all levels after phi (dyn/cm^2, one per opening) has been added by superposition. Local to the rank.
-void correct_velocity(const Hierarchy& grid, const OpeningModes& modes, const std::vector<double>& phi,
-                      double time_over_density, CompositeCells<double>& p, CompositeMac& u);
+/// The same on all levels after phi (dyn/cm^2, one per opening) has been added by superposition. Returns the Courant rate
+/// of the finest level (1/s; courant_rate.hpp), found on the way. Local to the rank.
+double correct_velocity(const Hierarchy& grid, const OpeningModes& modes, const std::vector<double>& phi,
+                        double time_over_density, CompositeCells<double>& p, CompositeMac& u);
 
 }  // namespace valsalva::ib3d
