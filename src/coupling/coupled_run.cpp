@@ -234,6 +234,8 @@ int run_coupled(const CaseFile& c, const RunOptions& options)
   if (const auto beat = traces.finish()) tell_beat(*beat);
   write_record(beats.reached() ? beats.outcome() : stopped ? "stopped by a signal" : "finished");
   log.line(timers.table());
+  if (const ib3d::Markers& markers = model.root().markers(); markers.lost() > 0)
+    log.line(fmt::format("{} of {} markers have left the domain", markers.lost(), markers.set_out()));
   if (stopped)
     log.line(
         fmt::format("stopped at t = {:.4f} s by a signal; all output is complete up to there", coupled.t()));

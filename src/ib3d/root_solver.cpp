@@ -19,6 +19,18 @@ namespace {
 constexpr int kStepsBetweenElasticSweeps = 30;
 constexpr int kStepsOfOneConvection = 4;
 
+/// x += dt u for n values; returns the largest |u|.
+double move(double* __restrict x, const double* __restrict u, double dt, std::ptrdiff_t n)
+{
+  double fastest = 0;
+#pragma omp simd reduction(max : fastest)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    x[i] += dt * u[i];
+    fastest = std::max(fastest, std::abs(u[i]));
+  }
+  return fastest;
+}
+
 }  // namespace
 
 RootSolver::RootSolver(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
@@ -66,7 +78,7 @@ void RootSolver::begin_step(double dt)
     interaction_.spread(nodes_.first(), *forced_at, F_, f_);
   }
   const auto scope = timers_.time("momentum");
-  fluid_->begin_step(f_, dt, keep_convection(dt));
+  fluid_->begin_step({&f_.f, f_.where}, dt, keep_convection(dt));
 }
 
 bool RootSolver::keep_convection(double dt)
@@ -106,15 +118,12 @@ void RootSolver::accept(const std::vector<double>& phi)
       interaction_.interpolate(nodes_.first(), X_, fluid_->u().back(), U_);
       add_slip(X_);
     }
-    for (std::size_t n = 0; n < static_cast<std::size_t>(nodes_.owned()); ++n) {
-      X_[n] += dt_ * U_[n];
-      fastest = std::max({fastest, std::abs(U_[n][0]), std::abs(U_[n][1]), std::abs(U_[n][2])});
-    }
+    if (nodes_.owned() > 0) fastest = move(&X_[0][0], &U_[0][0], dt_, 3 * nodes_.owned());
     nodes_.fill_copies(X_);
   }
   if (markers_.wanted()) {
     const auto scope = timers_.time("markers");
-    markers_.advance(fluid_->grid(), fluid_->u_before(), fluid_->u(), dt_);
+    markers_.advance(fluid_->grid(), fluid_->u(), dt_);
   }
   const auto scope = timers_.time("step control");
   check_and_redistribute(dt_ * fastest / fluid_->grid().finest().h);
@@ -128,7 +137,9 @@ void RootSolver::add_slip(const std::vector<Vec3>& X)
 
 void RootSolver::check_and_redistribute(double moved_cells)
 {
-  double state[3] = {fluid_->courant_rate(), nodes_.has_strays(X_) ? 1.0 : 0.0, moved_cells};
+  room_cells_ -= moved_cells;
+  if (room_cells_ <= 0) room_cells_ = kNodeDrift - nodes_.farthest_out(X_);
+  double state[3] = {fluid_->courant_rate(), room_cells_ <= 0 ? 1.0 : 0.0, moved_cells};
   MPI_Allreduce(MPI_IN_PLACE, state, 3, MPI_DOUBLE, MPI_MAX, fluid_->grid().comm());
   courant_rate_ = state[0];
   if (!std::isfinite(courant_rate_)) return;  // the step has blown up: CoupledModel says so
@@ -136,6 +147,7 @@ void RootSolver::check_and_redistribute(double moved_cells)
   if (policy_.levels > 1 && moved_cells_ > policy_.margin_cells - 0.5) regrid_if_moved();
   if (state[1] == 0) return;
   X_ = nodes_.redistribute(X_);
+  room_cells_ = 0;
   elastic_.restart();
 }
 
@@ -166,10 +178,11 @@ void RootSolver::rebuild(const Refinement& boxes, const std::vector<Vec3>& X)
   const Hierarchy grid(before.domain(), before.finest().h, before.comm(), boxes, X);
   fluid_ = std::make_unique<NavierStokes>(grid, *fluid_);
   nodes_.move_to(grid.finest(), X);
+  room_cells_ = 0;
   interaction_ = Interaction(grid.finest());
   elastic_ = ElasticBound(grid.finest(), fluid_->fluid().density);
   steps_since_elastic_ = 0;
-  f_ = MacField(grid.finest());
+  f_ = SpreadForce(grid.finest());
   X_ = nodes_.part().network.X;
   X_of_cuts_ = X_of_grid_ = X;
   markers_.settle(grid);
@@ -202,6 +215,7 @@ void RootSolver::save_or_restore(Checkpoint& c)
   fluid_->save_or_restore(c);
   nodes_.save_or_restore(c);
   nodes_.save_or_restore(c, "structure/X", X_);
+  if (c.reading()) room_cells_ = 0;
   if (c.reading()) check_and_redistribute(0);  // other ranks may have other patches
   elastic_.save_or_restore(c, nodes_);
   c("structure/steps_since_elastic", steps_since_elastic_);

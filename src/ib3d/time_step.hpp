@@ -45,7 +45,7 @@ class ElasticBound {
  private:
   Level level_;
   double density_;
-  MacField f_;
+  SpreadForce f_;
   std::vector<Vec3> v_, stiff_;
   bool started_ = false;  ///< the same on all ranks
   double omega_ = 0;

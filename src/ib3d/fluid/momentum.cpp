@@ -1,6 +1,6 @@
 #include "ib3d/fluid/momentum.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 #include "ib3d/fluid/advection.hpp"
@@ -17,6 +17,17 @@ MomentumWeights weights_of(const Level& level, const FluidParameters& fluid, dou
   return {-1 / level.h, half ? 0.0 : diffusion, dt * (1 - w1), dt * w1, half ? 0.5 * dt * diffusion : 0.0};
 }
 
+/// out += a f on the row of n faces from `at`.
+inline void add_force(double* out, const Force& force, double a, int patch, int component, const Int3& at,
+                      int n)
+{
+  const auto& [lo, hi] = force.where;
+  if (force.f == nullptr || at[1] < lo[1] || at[1] >= hi[1] || at[2] < lo[2] || at[2] >= hi[2]) return;
+  const int begin = std::max(at[0], lo[0]), end = std::min(at[0] + n, hi[0]);
+  if (begin < end)
+    add_row(out + (begin - at[0]), (*force.f)(patch, component).at(begin, at[1], at[2]), a, end - begin);
+}
+
 }  // namespace
 
 void Rates::renew()
@@ -26,7 +37,7 @@ void Rates::renew()
   age = 0;
 }
 
-void advance_momentum(const Level& level, const FluidParameters& fluid, const MacField& u, const MacField* f,
+void advance_momentum(const Level& level, const FluidParameters& fluid, const MacField& u, const Force& f,
                       double dt, double w1, MacField& rate, const MacField& rate_before, MacField& u_star)
 {
   const MomentumWeights weights = weights_of(level, fluid, dt, w1);
@@ -40,14 +51,14 @@ void advance_momentum(const Level& level, const FluidParameters& fluid, const Ma
         double* out = u_star(p, c).at(i, j, k);
         momentum_row(out, rate(p, c).at(i, j, k), rate_before(p, c).at(i, j, k), u(p, c).at(i, j, k), div,
                      weights, sy, sz, box.size(0));
-        if (f != nullptr) add_row(out, (*f)(p, c).at(i, j, k), force, box.size(0));
+        add_force(out, f, force, p, c, {i, j, k}, box.size(0));
       };
       for_each_convected_row(fluid.advection, {&u(p, 0), &u(p, 1), &u(p, 2)}, c, box, advance);
     }
 }
 
 void advance_momentum_kept(const Level& level, const FluidParameters& fluid, const MacField& u,
-                           const MacField* f, double dt, double w1, const MacField& rate,
+                           const Force& f, double dt, double w1, const MacField& rate,
                            const MacField& rate_before, MacField& u_star)
 {
   const MomentumWeights weights = weights_of(level, fluid, dt, w1);
@@ -56,7 +67,7 @@ void advance_momentum_kept(const Level& level, const FluidParameters& fluid, con
     double* out = u_star(p, c).at(i, j, k);
     kept_momentum_row(out, rate(p, c).at(i, j, k), rate_before(p, c).at(i, j, k), u(p, c).at(i, j, k),
                       weights, u(p, c).stride(1), u(p, c).stride(2), n);
-    if (f != nullptr) add_row(out, (*f)(p, c).at(i, j, k), force, n);
+    add_force(out, f, force, p, c, {i, j, k}, n);
   });
 }
 
@@ -65,32 +76,6 @@ double viscous_step_limit(const Level& level, const FluidParameters& fluid)
   if (fluid.viscosity_scheme == ViscosityScheme::crank_nicolson)
     return std::numeric_limits<double>::infinity();
   return 0.5 * fluid.density * level.h * level.h / (6 * fluid.viscosity);
-}
-
-double courant_rate(const Level& level, const MacField& u)
-{
-  double largest = 0;
-  for (int p = 0; p < level.local_count(); ++p) {
-    const IndexBox& box = level.local_box(p);
-    const std::ptrdiff_t sy = u(p, 1).stride(1), sz = u(p, 2).stride(2);
-    for_each_row(box, [&](int j, int k) {
-      const double* a = u(p, 0).at(box.lo[0], j, k);
-      const double* b = u(p, 1).at(box.lo[0], j, k);
-      const double* c = u(p, 2).at(box.lo[0], j, k);
-      double row = 0, total = 0;
-#pragma omp simd reduction(max : row) reduction(+ : total)
-      for (int i = 0; i < box.size(0); ++i) {
-        const double x = std::max(std::abs(a[i]), std::abs(a[i + 1]));
-        const double y = std::max(std::abs(b[i]), std::abs(b[i + sy]));
-        const double z = std::max(std::abs(c[i]), std::abs(c[i + sz]));
-        row = std::max(row, x + y + z);
-        total += x + y + z;
-      }
-      // A maximum passes over what is not a number; the sum does not.
-      largest = std::isfinite(total) ? std::max(largest, row) : std::numeric_limits<double>::infinity();
-    });
-  }
-  return largest / level.h;
 }
 
 }  // namespace valsalva::ib3d

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ib3d/fluid/advection.hpp"
+#include "ib3d/fluid/courant_rate.hpp"
 #include "ib3d/fluid/row_kernels.hpp"
+#include "ib3d/fluid/velocity_correction.hpp"
 #include "ib3d/grid/field_checkpoint.hpp"
 #include "ib3d/grid/mirror.hpp"
 #include "ib3d/grid/regrid.hpp"
@@ -49,7 +52,7 @@ NavierStokes::NavierStokes(const Hierarchy& grid, std::vector<Opening> openings,
 {
   if (fluid.viscosity_scheme == ViscosityScheme::crank_nicolson) viscous_.emplace(grid_);
   for (const Level& level : grid_.levels()) {
-    faces_.push_back(Halo::for_faces(level));
+    faces_.push_back(Halo::for_faces(level, std::max(ghosts_read(fluid.advection), kNodeGhosts)));
     shared_faces_.push_back(Halo::for_faces(level, 0));
   }
 }
@@ -88,7 +91,7 @@ void NavierStokes::fill_velocity_ghosts(std::size_t l, CompositeMac& u)
 {
   if (l > 0) transfers_[l - 1].fill_ghosts(u[l - 1], u[l]);
   faces_[l].fill(u[l]);
-  fill_mirrored(grid_.levels()[l], u[l]);
+  fill_mirrored(grid_.levels()[l], u[l], ghosts_read(fluid_.advection));
 }
 
 void NavierStokes::fill_velocity_ghosts(CompositeMac& u)
@@ -111,12 +114,13 @@ void NavierStokes::set_velocity(const CompositeMac& u)
   u_new_ = u_;
   dt_ = dt_before_ = 0;
   rates_.age = rates_.gap = 0;
+  finest_rate_.reset();
 }
 
 double NavierStokes::courant_rate() const
 {
-  double largest = 0;
-  for (std::size_t l = 0; l < u_.size(); ++l)
+  double largest = finest_rate_ ? *finest_rate_ : ib3d::courant_rate(grid_.finest(), u_.back());
+  for (std::size_t l = 0; l + 1 < u_.size(); ++l)
     largest = std::max(largest, ib3d::courant_rate(grid_.levels()[l], u_[l]));
   return largest;
 }
@@ -129,21 +133,21 @@ std::vector<double> NavierStokes::kinetic_outflow() const
   });
 }
 
-void NavierStokes::begin_step(const MacField& f, double dt, bool keep_rates)
+void NavierStokes::begin_step(const Force& f, double dt, bool keep_rates)
 {
-  std::vector<const MacField*> force(u_.size(), nullptr);
-  force.back() = &f;
+  std::vector<Force> force(u_.size());
+  force.back() = f;
   advance_velocity(force, dt, keep_rates);
 }
 
 void NavierStokes::begin_step(const CompositeMac& f, double dt, bool keep_rates)
 {
-  std::vector<const MacField*> force;
-  for (const MacField& level : f) force.push_back(&level);
+  std::vector<Force> force;
+  for (const MacField& level : f) force.push_back({&level});
   advance_velocity(force, dt, keep_rates);
 }
 
-void NavierStokes::advance_velocity(const std::vector<const MacField*>& f, double dt, bool keep_rates)
+void NavierStokes::advance_velocity(const std::vector<Force>& f, double dt, bool keep_rates)
 {
   dt_before_ = dt_;
   dt_ = dt;
@@ -212,8 +216,7 @@ std::vector<double> NavierStokes::solve_pressure(const std::vector<double>& open
 
 void NavierStokes::finish_step(const std::vector<double>& phi)
 {
-  modes_.add(phi, p_);
-  subtract_gradient(dt_);
+  finest_rate_ = correct_velocity(grid_, modes_, phi, dt_ / fluid_.density, p_, u_new_);
   average_down(u_new_);
   fill_velocity_ghosts(u_new_);
   std::swap(u_, u_new_);
@@ -221,14 +224,8 @@ void NavierStokes::finish_step(const std::vector<double>& phi)
 
 void NavierStokes::subtract_gradient(double dt)
 {
-  for (std::size_t l = 0; l < u_.size(); ++l) {
-    const Level& level = grid_.levels()[l];
-    const double factor = dt / (fluid_.density * level.h);
-    for_each_face_row(level, [&](int p, int c, int i, int j, int k, int n) {
-      const Array3<double>& pressure = p_[l][p];
-      correct_row(u_new_[l](p, c).at(i, j, k), pressure.at(i, j, k), factor, pressure.stride(c), n);
-    });
-  }
+  for (std::size_t l = 0; l < u_.size(); ++l)
+    ib3d::subtract_gradient(grid_.levels()[l], dt / fluid_.density, p_[l], u_new_[l]);
 }
 
 void NavierStokes::save_or_restore(Checkpoint& c)
@@ -245,7 +242,9 @@ void NavierStokes::save_or_restore(Checkpoint& c)
     ib3d::save_or_restore(c, name + "p", level, p_[l]);
     ib3d::save_or_restore(c, name + "p_before", level, p_before_[l]);
   }
-  if (c.reading()) fill_velocity_ghosts(u_);
+  if (!c.reading()) return;
+  fill_velocity_ghosts(u_);
+  finest_rate_.reset();
 }
 
 }  // namespace valsalva::ib3d

@@ -40,13 +40,14 @@ OpeningModes::OpeningModes(const OpeningFaces& openings, PressureSolver& solver,
   }
 }
 
-void OpeningModes::add(const std::vector<double>& phi, CompositeCells<double>& p) const
+void OpeningModes::add_to_plane(const std::vector<double>& phi, int level, int patch, int k,
+                                Array3<double>& p) const
 {
-  for (std::size_t k = 0; k < phi.size(); ++k)
-    for (std::size_t l = 0; l < p.size(); ++l)
-      for (int q = 0; q < p[l].patch_count(); ++q)
-        add_row(p[l][q].data().data(), psi_[k][l][q].data().data(), phi[k],
-                static_cast<int>(p[l][q].data().size()));
+  const IndexBox& box = p.stored();
+  for (std::size_t m = 0; m < phi.size(); ++m)
+    add_row(p.at(box.lo[0], box.lo[1], k),
+            psi_[m][static_cast<std::size_t>(level)][patch].at(box.lo[0], box.lo[1], k), phi[m],
+            static_cast<int>(p.stride(2)));
 }
 
 }  // namespace valsalva::ib3d

@@ -20,8 +20,8 @@ class OpeningModes {
 
   /// W, openings x openings, in cm^4/g (ml/s per s per dyn/cm^2). Singular when walls close the rest.
   const Eigen::MatrixXd& conductance() const { return conductance_; }
-  /// p += sum_k phi_k psi_k, ghosts included. phi in dyn/cm^2.
-  void add(const std::vector<double>& phi, CompositeCells<double>& p) const;
+  /// p += sum_m phi_m psi_m in plane k of a local patch, ghosts included. phi in dyn/cm^2.
+  void add_to_plane(const std::vector<double>& phi, int level, int patch, int k, Array3<double>& p) const;
 
  private:
   std::vector<CompositeCells<double>> psi_;  ///< per opening

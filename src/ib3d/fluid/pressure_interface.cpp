@@ -83,6 +83,30 @@ int side_of(const Level& level, int d, int i)
   return i == level.box.lo[dd] ? -1 : i == level.box.hi[dd] - 1 ? 1 : 0;
 }
 
+/// 8/15 c* of four fine cells: at low[0], low[1] in the lower half along the second tangent, high[0], high[1] in the upper.
+/// v(m, n): the coarse values around.
+template <class Values>
+inline void base_of_cell(Values&& v, double* low, double* high)
+{
+  const double slope1 = 0.125 * (v(1, 0) - v(-1, 0)), slope2 = 0.125 * (v(0, 1) - v(0, -1));
+  const double twist = (1.0 / 64) * (v(1, 1) - v(1, -1) - v(-1, 1) + v(-1, -1));
+  const double middle = v(0, 0) + (1.0 / 32) * (v(1, 0) + v(-1, 0) + v(0, 1) + v(0, -1) - 4 * v(0, 0));
+  low[0] = (8.0 / 15) * (middle - slope1 - slope2 + twist);
+  low[1] = (8.0 / 15) * (middle + slope1 - slope2 - twist);
+  high[0] = (8.0 / 15) * (middle - slope1 + slope2 - twist);
+  high[1] = (8.0 / 15) * (middle + slope1 + slope2 + twist);
+}
+
+/// Ghosts of one row of fine cells, s apart.
+template <class T>
+inline void fill_ghost_row(T* ghost, const double* __restrict base, std::ptrdiff_t s, std::ptrdiff_t inward,
+                           int n)
+{
+  for (int i = 0; i < n; ++i, ghost += s)
+    *ghost = static_cast<T>(base[i]) + static_cast<T>(2.0 / 3) * ghost[inward] -
+             static_cast<T>(0.2) * ghost[2 * inward];
+}
+
 }  // namespace
 
 template <class T>
@@ -90,19 +114,24 @@ void PressureInterface::take_base(const CellField<T>& coarse)
 {
   for (Piece& piece : pieces_) {
     if (piece.coarse_patch < 0) continue;
-    const int d = side_direction(piece.side), t1 = d == 0 ? 1 : 0, t2 = d == 2 ? 1 : 2;
+    const int t1 = first_tangent(piece.side), t2 = second_tangent(piece.side);
     const Array3<T>& a = coarse[piece.coarse_patch];
-    for_each_face(piece, [&](const Int3& c, std::size_t n) {
+    const std::ptrdiff_t s1 = a.stride(t1), s2 = a.stride(t2);
+    for_each_row(piece, [&](const Int3& c, int n, std::size_t value) {
       const Int3 at{c[0] + piece.shift[0], c[1] + piece.shift[1], c[2] + piece.shift[2]};
-      const Plane<T> v{a.at(at[0], at[1], at[2]), a.stride(t1), a.stride(t2),
-                       side_of(coarse_, t1, at[static_cast<std::size_t>(t1)]),
-                       side_of(coarse_, t2, at[static_cast<std::size_t>(t2)])};
-      const double slope1 = 0.125 * (v(1, 0) - v(-1, 0)), slope2 = 0.125 * (v(0, 1) - v(0, -1));
-      const double twist = (1.0 / 64) * (v(1, 1) - v(1, -1) - v(-1, 1) + v(-1, -1));
-      const double middle = v(0, 0) + (1.0 / 32) * (v(1, 0) + v(-1, 0) + v(0, 1) + v(0, -1) - 4 * v(0, 0));
-      for (std::size_t m = 0; m < 4; ++m) {
-        const double h1 = (m & 1) != 0 ? 1 : -1, h2 = (m & 2) != 0 ? 1 : -1;
-        piece.values[n + m] = (8.0 / 15) * (middle + h1 * slope1 + h2 * slope2 + h1 * h2 * twist);
+      const T* row = a.at(at[0], at[1], at[2]);
+      double* low = &piece.values[value];
+      double* high = low + 2 * n;
+      const int side2 = side_of(coarse_, t2, at[static_cast<std::size_t>(t2)]);
+      for (int m = 0; m < n; ++m) {
+        const T* cell = row + m * s1;
+        const int side1 =
+            m == 0 || m == n - 1 ? side_of(coarse_, t1, at[static_cast<std::size_t>(t1)] + m) : 0;
+        if (side1 != 0 || side2 != 0)
+          base_of_cell(Plane<T>{cell, s1, s2, side1, side2}, low + 2 * m, high + 2 * m);
+        else
+          base_of_cell([&](int x, int y) { return static_cast<double>(cell[x * s1 + y * s2]); }, low + 2 * m,
+                       high + 2 * m);
       }
     });
   }
@@ -116,20 +145,18 @@ void PressureInterface::fill_ghosts(CellField<T>& fine) const
 {
   for (const Piece& piece : pieces_) {
     if (piece.fine_patch < 0) continue;
-    const int d = side_direction(piece.side);
     Array3<T>& a = fine[piece.fine_patch];
-    const bool high = side_is_high(piece.side);
-    const std::ptrdiff_t inward = (high ? -1 : 1) * a.stride(d);
-    const std::ptrdiff_t s1 = a.stride(d == 0 ? 1 : 0), s2 = a.stride(d == 2 ? 1 : 2);
-    const std::ptrdiff_t places[4] = {0, s1, s2, s1 + s2};
-    for_each_face(piece, [&](Int3 c, std::size_t n) {
-      for (int& i : c) i *= 2;
-      if (!high) ++c[static_cast<std::size_t>(d)];
-      T* g = a.at(c[0], c[1], c[2]);
-      for (std::size_t m = 0; m < 4; ++m) {
-        T* ghost = g + places[m];
-        *ghost = static_cast<T>(piece.values[n + m]) + static_cast<T>(2.0 / 3) * ghost[inward] -
-                 static_cast<T>(0.2) * ghost[2 * inward];
+    const std::ptrdiff_t inward = inward_of(piece, a), s1 = a.stride(first_tangent(piece.side)),
+                         s2 = a.stride(second_tangent(piece.side));
+    for_each_row(piece, [&](const Int3& c, int n, std::size_t value) {
+      T* ghost = first_ghost(piece, a, c);
+      const double* base = &piece.values[value];
+      if (s1 == 1) {
+        fill_ghost_row(ghost, base, 1, inward, 2 * n);
+        fill_ghost_row(ghost + s2, base + 2 * n, 1, inward, 2 * n);
+      } else {
+        fill_ghost_row(ghost, base, s1, inward, 2 * n);
+        fill_ghost_row(ghost + s2, base + 2 * n, s1, inward, 2 * n);
       }
     });
   }

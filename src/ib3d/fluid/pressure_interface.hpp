@@ -33,8 +33,8 @@ class PressureInterface {
   void for_each_edge_cell(int p, F&& f) const;
 
  private:
-  /// Coarse cells in a plane outside one face of a fine patch; `values` are 4 per cell: (t1, t2) low-low, high-low,
-  /// low-high, high-high.
+  /// Coarse cells in a plane outside one face of a fine patch. `values` are 4 per cell; for a row of n cells along t1,
+  /// the 2n along its lower half of fine cells in t2, then the 2n along the upper half.
   struct Piece {
     int side;                      ///< of the fine patch
     int fine_patch, coarse_patch;  ///< local numbers, -1 on another rank
@@ -44,7 +44,23 @@ class PressureInterface {
     std::vector<double> values;
   };
   template <class F>
-  static void for_each_face(const Piece& piece, F&& f);
+  static void for_each_row(const Piece& piece, F&& f);
+  static int first_tangent(int side) { return side_direction(side) == 0 ? 1 : 0; }
+  static int second_tangent(int side) { return side_direction(side) == 2 ? 1 : 2; }
+  /// From a ghost to the fine cell at the edge.
+  template <class T>
+  static std::ptrdiff_t inward_of(const Piece& piece, const Array3<T>& fine)
+  {
+    return (side_is_high(piece.side) ? -1 : 1) * fine.stride(side_direction(piece.side));
+  }
+  /// The ghost at the low end of coarse cell c in both tangents.
+  template <class A>
+  static auto first_ghost(const Piece& piece, A& fine, Int3 c)
+  {
+    for (int& i : c) i *= 2;
+    if (!side_is_high(piece.side)) ++c[static_cast<std::size_t>(side_direction(piece.side))];
+    return fine.at(c[0], c[1], c[2]);
+  }
   /// Moves the values of pieces that two ranks share.
   void send(bool to_fine);
 
@@ -66,15 +82,19 @@ void PressureInterface::for_each_edge_cell(int p, F&& f) const
   }
 }
 
-/// Calls f(coarse cell, number of its first value).
+/// Calls f(first coarse cell, number of cells, number of their first value) for the rows along t1.
 template <class F>
-void PressureInterface::for_each_face(const Piece& piece, F&& f)
+void PressureInterface::for_each_row(const Piece& piece, F&& f)
 {
-  std::size_t n = 0;
-  for_each_index(piece.cells, [&](int i, int j, int k) {
-    f(Int3{i, j, k}, n);
-    n += 4;
-  });
+  const auto t1 = static_cast<std::size_t>(first_tangent(piece.side)),
+             t2 = static_cast<std::size_t>(second_tangent(piece.side));
+  Int3 cell = piece.cells.lo;
+  std::size_t value = 0;
+  for (; cell[t2] < piece.cells.hi[t2]; ++cell[t2]) {
+    const int n = piece.cells.size(static_cast<int>(t1));
+    f(cell, n, value);
+    value += 4 * static_cast<std::size_t>(n);
+  }
 }
 
 template <class T, class F>
@@ -82,26 +102,26 @@ void PressureInterface::for_each_flux(const CellField<T>& fine, F&& f)
 {
   for (Piece& piece : pieces_) {
     if (piece.fine_patch < 0) continue;
-    const int d = side_direction(piece.side), t1 = d == 0 ? 1 : 0, t2 = d == 2 ? 1 : 2;
     const Array3<T>& a = fine[piece.fine_patch];
-    const bool high = side_is_high(piece.side);
-    const std::ptrdiff_t inward = (high ? -1 : 1) * a.stride(d), s1 = a.stride(t1), s2 = a.stride(t2);
-    for_each_face(piece, [&](Int3 c, std::size_t n) {
-      for (int& i : c) i *= 2;
-      if (!high) ++c[static_cast<std::size_t>(d)];
-      const T* g = a.at(c[0], c[1], c[2]);
-      const auto jump = [&](std::ptrdiff_t at) {
-        return static_cast<double>(g[at]) - static_cast<double>(g[at + inward]);
-      };
-      piece.values[n] = (jump(0) + jump(s1)) + (jump(s2) + jump(s1 + s2));
+    const std::ptrdiff_t inward = inward_of(piece, a), s1 = a.stride(first_tangent(piece.side)),
+                         s2 = a.stride(second_tangent(piece.side));
+    for_each_row(piece, [&](const Int3& c, int count, std::size_t value) {
+      const T* g = first_ghost(piece, a, c);
+      for (int m = 0; m < count; ++m, g += 2 * s1) {
+        const auto jump = [&](std::ptrdiff_t at) {
+          return static_cast<double>(g[at]) - static_cast<double>(g[at + inward]);
+        };
+        piece.values[value + static_cast<std::size_t>(m)] = (jump(0) + jump(s1)) + (jump(s2) + jump(s1 + s2));
+      }
     });
   }
   send(false);
   for (const Piece& piece : pieces_) {
     if (piece.coarse_patch < 0) continue;
-    for_each_face(piece, [&](const Int3& c, std::size_t n) {
-      const Int3 cell{c[0] + piece.shift[0], c[1] + piece.shift[1], c[2] + piece.shift[2]};
-      f(piece.coarse_patch, cell, piece.side, piece.values[n]);
+    for_each_row(piece, [&](const Int3& c, int count, std::size_t value) {
+      Int3 cell{c[0] + piece.shift[0], c[1] + piece.shift[1], c[2] + piece.shift[2]};
+      for (int m = 0; m < count; ++m, ++cell[static_cast<std::size_t>(first_tangent(piece.side))])
+        f(piece.coarse_patch, cell, piece.side, piece.values[value + static_cast<std::size_t>(m)]);
     });
   }
 }

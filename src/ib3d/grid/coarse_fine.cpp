@@ -76,21 +76,36 @@ inline void expand_row(double* __restrict fine, const double* __restrict m, bool
   }
 }
 
+/// Coarse rows are mixed in this many values at least, a fixed number for the compiler: beyond the sides along x rows of
+/// ghosts are short, and many.
+constexpr int kShortRow = 8;
+
 /// One direction after the other: z into a plane of coarse rows, y into a row, x.
 void interpolate_box(const Array3<double>& coarse, Array3<double>& fine, const IndexBox& box, int component)
 {
-  const IndexBox from = footprint(box, component);
+  IndexBox from = footprint(box, component);
+  const bool is_short = from.size(0) <= kShortRow && coarse.stored().size(0) >= kShortRow;
+  if (is_short) {
+    from.lo[0] = std::min(from.lo[0], coarse.stored().hi[0] - kShortRow);
+    from.hi[0] = from.lo[0] + kShortRow;
+  }
   const int n = from.size(0), rows = from.size(1);
+  const auto mix = [&](double* sum, const double* first, std::ptrdiff_t step, const Taps& taps) {
+    if (is_short)
+      mix_rows(sum, first, step, taps, kShortRow);
+    else
+      mix_rows(sum, first, step, taps, n);
+  };
   std::vector<double> plane(static_cast<std::size_t>(n) * static_cast<std::size_t>(rows)),
       row(static_cast<std::size_t>(n));
   for (int k = box.lo[2]; k < box.hi[2]; ++k) {
     const Taps z = taps_of(component == 2, k);
     for (int j = 0; j < rows; ++j)
-      mix_rows(plane.data() + static_cast<std::ptrdiff_t>(j) * n,
-               coarse.at(from.lo[0], from.lo[1] + j, z.first), coarse.stride(2), z, n);
+      mix(plane.data() + static_cast<std::ptrdiff_t>(j) * n, coarse.at(from.lo[0], from.lo[1] + j, z.first),
+          coarse.stride(2), z);
     for (int j = box.lo[1]; j < box.hi[1]; ++j) {
       const Taps y = taps_of(component == 1, j);
-      mix_rows(row.data(), plane.data() + static_cast<std::ptrdiff_t>(y.first - from.lo[1]) * n, n, y, n);
+      mix(row.data(), plane.data() + static_cast<std::ptrdiff_t>(y.first - from.lo[1]) * n, n, y);
       expand_row(fine.at(box.lo[0], j, k), row.data() - from.lo[0], component == 0, box.lo[0], box.hi[0]);
     }
   }
@@ -132,7 +147,8 @@ CoarseFine::CoarseFine(const Level& coarse, const Level& fine, int ghosts)
       down_cells_(coarse.comm),
       up_ghosts_(coarse.comm),
       shadow_(coarsened_, kShadowGhosts),
-      cells_(coarsened_, kShadowGhosts)
+      cells_(coarsened_, kShadowGhosts),
+      cells_float_(coarsened_, 0)
 {
   const std::vector<int> here = coarse_.local_numbers(), there = fine_.local_numbers();
   for (std::size_t f = 0; f < fine_.patches.size(); ++f)
@@ -219,16 +235,15 @@ void CoarseFine::average_down(const MacField& fine, MacField& coarse)
 template <class T>
 void CoarseFine::average_down(const CellField<T>& fine, CellField<T>& coarse)
 {
-  std::vector<Array3<T>> means;
+  CellField<T>& means = this->means(T{});
   for (int p = 0; p < fine_.local_count(); ++p) {
     const IndexBox& box = coarsened_.local_box(p);
-    means.emplace_back(box);
     for_each_row(box, [&](int j, int k) {
-      mean_of_cells(means.back().at(box.lo[0], j, k), fine[p].at(2 * box.lo[0], 2 * j, 2 * k),
-                    fine[p].stride(1), fine[p].stride(2), box.size(0));
+      mean_of_cells(means[p].at(box.lo[0], j, k), fine[p].at(2 * box.lo[0], 2 * j, 2 * k), fine[p].stride(1),
+                    fine[p].stride(2), box.size(0));
     });
   }
-  down_cells_.forward<T>([&](int p, int) -> const Array3<T>& { return means[static_cast<std::size_t>(p)]; },
+  down_cells_.forward<T>([&](int p, int) -> const Array3<T>& { return means[p]; },
                          [&](int p, int) -> Array3<T>& { return coarse[p]; });
 }
 template void CoarseFine::average_down(const CellField<float>&, CellField<float>&);

@@ -37,6 +37,8 @@ class CoarseFine {
   };
   CopyPlan plan_footprints(const std::vector<GhostPart>& parts) const;
   void fetch(const CopyPlan& plan, const MacField& coarse);
+  CellField<double>& means(double) { return cells_; }
+  CellField<float>& means(float) { return cells_float_; }
 
   Level coarse_, fine_, coarsened_;
   std::vector<std::vector<IndexBox>> covered_;
@@ -44,6 +46,7 @@ class CoarseFine {
   CopyPlan down_faces_, down_cells_, up_ghosts_;
   MacField shadow_;  ///< the coarse level as the fine patches see it
   CellField<double> cells_;
+  CellField<float> cells_float_;
 };
 
 }  // namespace valsalva::ib3d

@@ -8,6 +8,8 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <map>
 #include <type_traits>
 #include <vector>
@@ -15,6 +17,28 @@
 #include "ib3d/grid/fields.hpp"
 
 namespace valsalva::ib3d {
+
+/// out[0..n) = in[0..n). Rows of ghosts are short: a call of memmove would take longer than the copy.
+template <class T>
+inline void copy_row(T* out, const T* in, std::ptrdiff_t n)
+{
+  switch (n) {
+    case 1:
+      std::memcpy(out, in, sizeof(T));
+      return;
+    case 2:
+      std::memcpy(out, in, 2 * sizeof(T));
+      return;
+    case 3:
+      std::memcpy(out, in, 3 * sizeof(T));
+      return;
+    case 4:
+      std::memcpy(out, in, 4 * sizeof(T));
+      return;
+    default:
+      std::copy_n(in, n, out);
+  }
+}
 
 /// The values `region` of array `slot` of patch `from` belong at region + shift of array `slot` of patch `to`.
 struct Copy {
@@ -51,7 +75,7 @@ class CopyPlan {
         &Link::outgoing, &Link::incoming,
         [&](const Copy& c, int i, int j, int k) { return from(c.from, c.slot).at(i, j, k); },
         [&](const Copy& c, int i, int j, int k) { return shifted(to(c.to, c.slot), c, i, j, k); },
-        [](T* out, const T* in, std::ptrdiff_t n) { std::copy_n(in, n, out); });
+        copy_row<T>);
   }
   template <class T, class From, class To>
   void transpose(From&& from, To&& to) const
@@ -68,7 +92,14 @@ class CopyPlan {
  private:
   struct Bundle {
     std::vector<Copy> copies;
-    std::size_t size = 0;
+    std::size_t size = 0;                    ///< values in all of them
+    mutable std::vector<std::byte> message;  ///< kept from one exchange to the next
+    template <class T>
+    T* values() const
+    {
+      message.resize(std::max(message.size(), size * sizeof(T)));
+      return reinterpret_cast<T*>(message.data());
+    }
   };
   struct Link {
     Bundle outgoing, incoming;
@@ -86,20 +117,20 @@ class CopyPlan {
   {
     static_assert(std::is_same_v<T, double> || std::is_same_v<T, float>);
     const MPI_Datatype type = std::is_same_v<T, double> ? MPI_DOUBLE : MPI_FLOAT;
-    std::vector<std::vector<T>> out(links_.size()), in(links_.size());
     std::vector<MPI_Request> requests(2 * links_.size());
     std::size_t l = 0;
     for (const auto& [other, link] : links_) {
       const Bundle &sending = link.*sends, &receiving = link.*receives;
-      in[l].resize(receiving.size);
-      MPI_Irecv(in[l].data(), static_cast<int>(receiving.size), type, other, 0, comm_, &requests[2 * l]);
-      out[l].resize(sending.size);
-      T* next = out[l].data();
+      MPI_Irecv(receiving.values<T>(), static_cast<int>(receiving.size), type, other, 0, comm_,
+                &requests[2 * l]);
+      T* next = sending.values<T>();
       for (const Copy& c : sending.copies)
         for_each_row(c.region, [&](int j, int k) {
-          next = std::copy_n(source(c, c.region.lo[0], j, k), c.region.size(0), next);
+          copy_row<T>(next, source(c, c.region.lo[0], j, k), c.region.size(0));
+          next += c.region.size(0);
         });
-      MPI_Isend(out[l].data(), static_cast<int>(sending.size), type, other, 0, comm_, &requests[2 * l + 1]);
+      MPI_Isend(sending.values<T>(), static_cast<int>(sending.size), type, other, 0, comm_,
+                &requests[2 * l + 1]);
       ++l;
     }
     for (const Copy& c : on_rank_)
@@ -108,9 +139,8 @@ class CopyPlan {
         put(target(c, i, j, k), source(c, i, j, k), c.region.size(0));
       });
     MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
-    l = 0;
     for (const auto& [other, link] : links_) {
-      const T* next = in[l++].data();
+      const T* next = (link.*receives).template values<T>();
       for (const Copy& c : (link.*receives).copies)
         for_each_row(c.region, [&](int j, int k) {
           put(target(c, c.region.lo[0], j, k), next, c.region.size(0));

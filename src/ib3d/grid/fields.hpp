@@ -9,6 +9,7 @@
 // is none.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -18,6 +19,8 @@ namespace valsalva::ib3d {
 
 /// Ghost layers of velocities: 4 for the widest flux (xsPPM7); 2 for the delta support and 1 for drifting nodes.
 inline constexpr int kMacGhosts = 4;
+/// Those that the delta function reads and writes between patches.
+inline constexpr int kNodeGhosts = 3;
 
 template <class T>
 class Array3 {
@@ -94,9 +97,16 @@ class MacField {
   /// Component d on local patch p.
   Array3<double>& operator()(int p, int d) { return component_[static_cast<std::size_t>(d)][p]; }
   const Array3<double>& operator()(int p, int d) const { return component_[static_cast<std::size_t>(d)][p]; }
-  void set_zero()
+  /// On the faces in the box only.
+  void set_zero(const IndexBox& box)
   {
-    for (auto& c : component_) c.set_zero();
+    for (auto& field : component_)
+      for (int p = 0; p < patch_count(); ++p) {
+        const IndexBox part = intersect(box, field[p].stored());
+        if (part.empty()) continue;
+        for_each_row(part,
+                     [&](int j, int k) { std::fill_n(field[p].at(part.lo[0], j, k), part.size(0), 0.0); });
+      }
   }
 
  private:

@@ -4,46 +4,73 @@ namespace valsalva::ib3d {
 
 namespace {
 
-/// Along x the layers of a row are filled together, so that memory is walked once.
-void mirror_component(const Level& level, const IndexBox& cells, int side, int component, Array3<double>& a,
-                      int ghosts)
-{
-  const int d = side_direction(side);
-  const auto dd = static_cast<std::size_t>(d);
-  const bool normal = component == d, high = side_is_high(side);
-  const double sign = normal ? 1.0 : -1.0;
-  const int edge = high ? level.box.hi[dd] : level.box.lo[dd];
-  // Layer m and its image, counted from the boundary face (normal component) or the first cell above it.
-  const auto ghost = [&](int m) { return high ? (normal ? m : m - 1) : -m; };
-  const auto inner = [&](int m) { return high ? -m : (normal ? m : m - 1); };
-  IndexBox layer = faces_of(cells.grown(ghosts), component);
-  if (d == 0) {
-    for_each_row(layer, [&](int j, int k) {
-      double* row = a.at(edge, j, k);
-      for (int m = 1; m <= ghosts; ++m) row[ghost(m)] = sign * row[inner(m)];
-    });
-    return;
+/// Where layer m beyond a side lies and where its image does, counted from the boundary face for the normal component,
+/// else from the first cell above it.
+struct Reflection {
+  int edge;
+  bool normal, high;
+  Reflection(const Level& level, int side, int component)
+      : edge((side_is_high(side) ? level.box.hi
+                                 : level.box.lo)[static_cast<std::size_t>(side_direction(side))]),
+        normal(component == side_direction(side)),
+        high(side_is_high(side))
+  {
   }
+  double sign() const { return normal ? 1.0 : -1.0; }
+  int ghost(int m) const { return high ? (normal ? m : m - 1) : -m; }
+  int inner(int m) const { return high ? -m : (normal ? m : m - 1); }
+};
+
+/// Beyond the sides along x, all layers of a row together and the end of one row with the start of the next, so that
+/// memory is walked once.
+void mirror_rows(const Level& level, const IndexBox& cells, int component, Array3<double>& a, int ghosts)
+{
+  constexpr int kAhead = 8;  // rows; the hardware does not foresee these strides
+  const IndexBox rows = faces_of(cells.grown(ghosts), component);
+  for (int k = rows.lo[2]; k < rows.hi[2]; ++k)
+    for (const int side : {0, 1}) {
+      if (!level.at_side(cells, side)) continue;
+      const Reflection at(level, side, component);
+      for (int j = rows.lo[1]; j < rows.hi[1]; ++j) {
+        double* row = a.at(at.edge, j, k);
+        __builtin_prefetch(row + kAhead * a.stride(1) - ghosts, 1);
+        __builtin_prefetch(row + kAhead * a.stride(1) + ghosts - 1, 1);
+        for (int m = 1; m <= ghosts; ++m) row[at.ghost(m)] = at.sign() * row[at.inner(m)];
+      }
+    }
+}
+
+/// Beyond a side along y or z.
+void mirror_layers(const Level& level, const IndexBox& cells, int side, int component, Array3<double>& a,
+                   int ghosts)
+{
+  const auto d = static_cast<std::size_t>(side_direction(side));
+  const Reflection at(level, side, component);
+  IndexBox layer = faces_of(cells.grown(ghosts), component);
+  const int n = layer.size(0);
   for (int m = 1; m <= ghosts; ++m) {
-    layer.lo[dd] = edge + ghost(m);
-    layer.hi[dd] = layer.lo[dd] + 1;
-    const std::ptrdiff_t jump = (inner(m) - ghost(m)) * a.stride(d);
-    const int n = layer.size(0);
+    layer.lo[d] = at.edge + at.ghost(m);
+    layer.hi[d] = layer.lo[d] + 1;
+    const std::ptrdiff_t jump = (at.inner(m) - at.ghost(m)) * a.stride(static_cast<int>(d));
     for_each_row(layer, [&](int j, int k) {
       double* row = a.at(layer.lo[0], j, k);
-      for (int i = 0; i < n; ++i) row[i] = sign * row[i + jump];
+      for (int i = 0; i < n; ++i) row[i] = at.sign() * row[i + jump];
     });
   }
 }
 
 }  // namespace
 
-void fill_mirrored(const Level& level, MacField& u)
+void fill_mirrored(const Level& level, MacField& u, int layers)
 {
-  for (int p = 0; p < u.patch_count(); ++p)
-    for (int side = 0; side < kSideCount; ++side)
-      if (level.at_side(level.local_box(p), side))
-        for (int c = 0; c < 3; ++c) mirror_component(level, level.local_box(p), side, c, u(p, c), u.ghosts());
+  for (int p = 0; p < u.patch_count(); ++p) {
+    const IndexBox& cells = level.local_box(p);
+    for (int c = 0; c < 3; ++c) {
+      mirror_rows(level, cells, c, u(p, c), layers);
+      for (int side = 2; side < kSideCount; ++side)
+        if (level.at_side(cells, side)) mirror_layers(level, cells, side, c, u(p, c), layers);
+    }
+  }
 }
 
 }  // namespace valsalva::ib3d

@@ -9,7 +9,7 @@
 
 namespace valsalva::ib3d {
 
-/// Fills the ghosts beyond the domain's sides. Call after Halo::fill, whose ghosts it reflects too.
-void fill_mirrored(const Level& level, MacField& u);
+/// Fills this many layers of ghosts beyond the domain's sides. Call after Halo::fill, whose ghosts it reflects too.
+void fill_mirrored(const Level& level, MacField& u, int layers);
 
 }  // namespace valsalva::ib3d

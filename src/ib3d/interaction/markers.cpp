@@ -68,9 +68,9 @@ std::vector<Marker> Markers::gather(MPI_Comm comm) const
   return all;
 }
 
-void Markers::seed_due(const Hierarchy& grid, double t)
+void Markers::seed_due(const Hierarchy& grid, const CompositeMac& u, double t)
 {
-  bool any = false;
+  const int out_before = next_id_;
   for (std::size_t g = 0; g < seeds_.size(); ++g) {
     const MarkerSeed& seed = seeds_[g];
     const double due = seed.start_s + seedings_[g] * seed.every_s;
@@ -81,33 +81,39 @@ void Markers::seed_due(const Hierarchy& grid, double t)
     seedings_[g] = static_cast<int>(passed) + 1;
     const Homes homes(grid);
     for (const Vec3& X : seed.points) {
-      Marker marker{X, t, next_id_++, static_cast<int>(g), 0, 0};
+      Marker marker{X, {}, t, next_id_++, static_cast<int>(g), 0, 0};
       if (homes.take_in(marker)) markers_.push_back(marker);
     }
-    any = true;
   }
-  if (any) sort_by_patch(grid);
+  if (next_id_ == out_before) return;
+  sort_by_patch(grid);
+  X_.clear();
+  for (const Marker& m : markers_) X_.push_back(m.X);
+  interpolate(grid, u);
+  for (std::size_t n = 0; n < markers_.size(); ++n)
+    if (markers_[n].id >= out_before) markers_[n].U = U_[n];
 }
 
-void Markers::interpolate(const Hierarchy& grid, const CompositeMac& u, const std::vector<Vec3>& X,
-                          std::vector<Vec3>& U) const
+void Markers::interpolate(const Hierarchy& grid, const CompositeMac& u)
 {
-  U.resize(X.size());
+  U_.resize(X_.size());
   for (int l = 0; l < grid.level_count(); ++l) {
     const auto ll = static_cast<std::size_t>(l);
-    if (!first_.empty()) ib3d::interpolate(grid.level(l), first_[ll], X, u[ll], U);
+    if (!first_.empty()) ib3d::interpolate(grid.level(l), first_[ll], X_, u[ll], U_);
   }
 }
 
-void Markers::advance(const Hierarchy& grid, const CompositeMac& before, const CompositeMac& after, double dt)
+void Markers::advance(const Hierarchy& grid, const CompositeMac& u, double dt)
 {
   if (!wanted()) return;
   X_.resize(markers_.size());
-  for (std::size_t n = 0; n < X_.size(); ++n) X_[n] = markers_[n].X;
-  interpolate(grid, before, X_, U_);
-  for (std::size_t n = 0; n < X_.size(); ++n) X_[n] += dt * U_[n];
-  interpolate(grid, after, X_, U_after_);
-  for (std::size_t n = 0; n < X_.size(); ++n) markers_[n].X += 0.5 * dt * (U_[n] + U_after_[n]);
+  for (std::size_t n = 0; n < X_.size(); ++n) X_[n] = markers_[n].X + dt * markers_[n].U;
+  interpolate(grid, u);
+  for (std::size_t n = 0; n < X_.size(); ++n) {
+    Marker& m = markers_[n];
+    m.X += 0.5 * dt * (m.U + U_[n]);
+    m.U = U_[n];
+  }
   settle(grid);
 }
 
@@ -152,16 +158,18 @@ void Markers::save_or_restore(Checkpoint& c, const Hierarchy& grid)
   if (!wanted()) return;
   std::vector<Marker> all;
   if (!c.reading()) all = gather(grid.comm());
-  std::vector<Vec3> X;
+  std::vector<Vec3> X, U;
   std::vector<double> seeded_s;
   std::vector<int> id, group;
   for (const Marker& m : all) {
     X.push_back(m.X);
+    U.push_back(m.U);
     seeded_s.push_back(m.seeded_s);
     id.push_back(m.id);
     group.push_back(m.group);
   }
   c("markers/X", X);
+  c("markers/U", U);
   c("markers/seeded_s", seeded_s);
   c("markers/id", id);
   c("markers/group", group);
@@ -172,7 +180,7 @@ void Markers::save_or_restore(Checkpoint& c, const Hierarchy& grid)
   markers_.clear();
   const bool first_rank = Communicator(grid.comm()).is_root();
   for (std::size_t n = 0; first_rank && n < X.size(); ++n)
-    markers_.push_back({X[n], seeded_s[n], id[n], group[n], 0, 0});
+    markers_.push_back({X[n], U[n], seeded_s[n], id[n], group[n], 0, 0});
   settle(grid);
 }
 

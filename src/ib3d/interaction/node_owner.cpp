@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "common/comm.hpp"
@@ -159,24 +160,20 @@ std::vector<Vec3> NodeOwner::gather(const std::vector<Vec3>& values, const std::
   return found;
 }
 
-bool NodeOwner::has_strays(const std::vector<Vec3>& X) const
+double NodeOwner::farthest_out(const std::vector<Vec3>& X) const
 {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double farthest = -kInfinity;
   for (int p = 0; p < level_.local_count(); ++p) {
     const IndexBox& box = level_.local_box(p);
-    Vec3 lo{}, hi{};
-    for (int d = 0; d < 3; ++d) {
-      lo[d] = (box.lo[static_cast<std::size_t>(d)] - kNodeDrift) * level_.h;
-      hi[d] = (box.hi[static_cast<std::size_t>(d)] + kNodeDrift) * level_.h;
-    }
-    bool all_home = true;
-    for (int n = first_[static_cast<std::size_t>(p)]; n < first_[static_cast<std::size_t>(p) + 1]; ++n) {
-      const Vec3& x = X[static_cast<std::size_t>(n)];
-      all_home &= (x[0] >= lo[0]) & (x[0] < hi[0]) & (x[1] >= lo[1]) & (x[1] < hi[1]) & (x[2] >= lo[2]) &
-                  (x[2] < hi[2]);
-    }
-    if (!all_home) return true;
+    for (int n = first_[static_cast<std::size_t>(p)]; n < first_[static_cast<std::size_t>(p) + 1]; ++n)
+      for (std::size_t d = 0; d < 3; ++d) {
+        const double at = X[static_cast<std::size_t>(n)][static_cast<int>(d)] / level_.h;
+        if (!std::isfinite(at)) return kInfinity;
+        farthest = std::max({farthest, box.lo[d] - at, at - box.hi[d]});
+      }
   }
-  return false;
+  return farthest;
 }
 
 std::vector<Vec3> NodeOwner::redistribute(const std::vector<Vec3>& X)

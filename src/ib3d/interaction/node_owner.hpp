@@ -31,8 +31,9 @@ class NodeOwner {
   /// The same for a few nodes (global numbers) only. Collective.
   std::vector<Vec3> gather(const std::vector<Vec3>& values, const std::vector<int>& nodes) const;
 
-  /// Whether a node of this rank is farther than the allowed drift outside its patch, or not a number.
-  bool has_strays(const std::vector<Vec3>& X) const;
+  /// How far (cells, along any direction) the farthest node of this rank lies outside its patch, negative where all lie
+  /// inside; infinite for one that is not a number. More than kNodeDrift: time to redistribute. Local.
+  double farthest_out(const std::vector<Vec3>& X) const;
   /// Assigns every node to its patch anew and returns the new local positions, copies included. Collective.
   /// Throws SolverError when a node has left the domain by more than the drift.
   std::vector<Vec3> redistribute(const std::vector<Vec3>& X);

@@ -22,24 +22,35 @@ inline constexpr double kNodeDrift = 1.0;
 void interpolate(const Level& level, std::span<const int> first, std::span<const Vec3> X, const MacField& u,
                  std::span<Vec3> U);
 
+/// What nodes exert on a level. A structure rarely fills it: `where` tells which faces need to be looked at.
+struct SpreadForce {
+  explicit SpreadForce(const Level& level) : f(level) {}
+  MacField f;  ///< dyn/cm^3
+  IndexBox
+      where{};  ///< faces of all components and patches outside this box hold zero; the same on all ranks
+};
+
 class Interaction {
  public:
-  explicit Interaction(const Level& level) : level_(level), faces_(Halo::for_faces(level)) {}
+  explicit Interaction(const Level& level) : level_(level), faces_(Halo::for_faces(level, kNodeGhosts)) {}
 
-  /// f = S[X] F on the owned faces; f is overwritten, ghosts included. Forces on wall faces are lost to the
-  /// wall. Collective.
+  /// f = S[X] F on the owned faces; what was in `force` is overwritten, ghosts included. Forces on wall faces are lost
+  /// to the wall. Collective.
   void spread(std::span<const int> first, std::span<const Vec3> X, std::span<const Vec3> F,
-              MacField& f) const;
+              SpreadForce& force) const;
   /// The same on its level.
   void interpolate(std::span<const int> first, std::span<const Vec3> X, const MacField& u,
                    std::span<Vec3> U) const
   {
     ib3d::interpolate(level_, first, X, u, U);
   }
-  /// Fills the ghosts of a velocity: between patches, then beyond the sides. Collective.
-  void fill_ghosts(MacField& u) const;
+  /// Fills the ghosts of a velocity that `interpolate` reads: those between patches. Collective.
+  void fill_ghosts(MacField& u) const { faces_.fill(u); }
 
  private:
+  /// `reached` of all ranks, with what mirrored and periodic images reach. Collective.
+  IndexBox reached_by_all(const IndexBox& reached) const;
+
   Level level_;
   Halo faces_;
 };

@@ -38,8 +38,8 @@ void spread(benchmark::State& state)
 {
   const TubeOfNodes tube;
   const Interaction interaction(tube.level());
-  MacField f(tube.level());
-  for (auto _ : state) interaction.spread(tube.first, tube.X, tube.F, f);
+  SpreadForce force(tube.level());
+  for (auto _ : state) interaction.spread(tube.first, tube.X, tube.F, force);
   state.counters["per_node"] = each_node(tube);
 }
 BENCHMARK(spread)->Unit(benchmark::kMillisecond);

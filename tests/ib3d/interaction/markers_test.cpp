@@ -67,8 +67,8 @@ TEST(Markers, ThoseThatLeaveTheDomainAreGivenUpAndCounted)
     for (int p = 0; p < u[0].patch_count(); ++p)
       std::fill(u[0](p, 2).data().begin(), u[0](p, 2).data().end(), 1.0);
     Markers markers({{"all", {{0.5, 0.5, 0.3}, {0.5, 0.5, 0.95}, {0.2, 0.5, 1.5}, {0.5, 0.01, 1.97}}}});
-    markers.seed_due(grid, 0);
-    for (int step = 0; step < 100; ++step) markers.advance(grid, u, u, 0.01);
+    markers.seed_due(grid, u, 0);
+    for (int step = 0; step < 100; ++step) markers.advance(grid, u, 0.01);
     EXPECT_EQ(markers.lost(), periodic ? 0 : 2);
     ASSERT_EQ(markers.local().size(), periodic ? 4U : 2U);
     const std::vector<Marker> all = markers.gather(MPI_COMM_WORLD);
@@ -86,7 +86,7 @@ TEST(Markers, SetOutAtTheFirstStepsAtOrAfterTheirTimes)
   Markers markers({{"once", {{0.5, 0.5, 0.5}}, 0.05},
                    {"often", {{0.5, 0.5, 1}, {0.5, 0.5, 1.5}}, 0.1, 0.1, 0.31},
                    {"every step", {{0.2, 0.2, 0.2}}, 0.3, 0.01}});
-  for (int step = 0; step <= 14; ++step) markers.seed_due(grid, 0.03 * step);
+  for (int step = 0; step <= 14; ++step) markers.seed_due(grid, composite_faces(grid), 0.03 * step);
   std::vector<double> times[3];
   for (const Marker& m : markers.gather(MPI_COMM_WORLD)) times[m.group].push_back(m.seeded_s);
   ASSERT_EQ(times[0].size(), 1U);

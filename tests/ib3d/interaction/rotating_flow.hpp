@@ -57,9 +57,8 @@ inline std::vector<Vec3> points_about_the_axis()
 inline void turn(Markers& markers, const Hierarchy& grid, int steps, double end)
 {
   const double dt = end / steps;
-  markers.seed_due(grid, 0);
-  for (int n = 0; n < steps; ++n)
-    markers.advance(grid, turning_flow(grid, n * dt), turning_flow(grid, (n + 1) * dt), dt);
+  markers.seed_due(grid, turning_flow(grid, 0), 0);
+  for (int n = 0; n < steps; ++n) markers.advance(grid, turning_flow(grid, (n + 1) * dt), dt);
 }
 
 }  // namespace valsalva::ib3d

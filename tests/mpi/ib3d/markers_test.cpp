@@ -62,7 +62,7 @@ TEST(Markers, ACheckpointBringsThemBackAndKnowsWhoHasSetOut)
   expect_same(after.gather(MPI_COMM_WORLD), before.gather(MPI_COMM_WORLD));
   EXPECT_EQ(after.lost(), before.lost());
   EXPECT_EQ(after.local().size(), before.local().size());
-  after.seed_due(grid, 2.0);
+  after.seed_due(grid, turning_flow(grid, 2.0), 2.0);
   EXPECT_EQ(after.local().size(), before.local().size());
 }
 

@@ -65,14 +65,14 @@ TEST(NodeOwner, MovingAcrossBoxesKeepsPositionsAndForces)
     for (int round = 0; round < 4; ++round) {
       const std::vector<Vec3> wanted = positions(round);
       std::vector<Vec3> moved = local_values(nodes, wanted);
-      int strays = nodes.has_strays(moved) ? 1 : 0;
-      MPI_Allreduce(MPI_IN_PLACE, &strays, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-      EXPECT_EQ(strays == 1, round > 0 && level.patches.size() > 1);
+      double out = nodes.farthest_out(moved);
+      MPI_Allreduce(MPI_IN_PLACE, &out, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+      EXPECT_EQ(out > kNodeDrift, round > 0 && level.patches.size() > 1);
       for (std::size_t n = static_cast<std::size_t>(nodes.owned()); n < moved.size(); ++n)
         moved[n] = {1e9, 1e9, 1e9};  // only the owner's word counts
       X = nodes.redistribute(moved);
       EXPECT_EQ(owned_by_all(nodes), kNodes);
-      EXPECT_FALSE(nodes.has_strays(X));
+      EXPECT_LE(nodes.farthest_out(X), 0);
       EXPECT_EQ(largest_difference(nodes.gather(X), wanted), 0);
       EXPECT_EQ(largest_difference(X, local_values(nodes, wanted)), 0);
 
@@ -101,6 +101,23 @@ TEST(NodeOwner, NodesLieInThePatchTheyAreCountedIn)
   EXPECT_EQ(nodes.first().back(), nodes.owned());
 }
 
+TEST(NodeOwner, ANodeOutsideItsPatchIsFoundAsFarOutAsItLies)
+{
+  const Hierarchy grid(walled_box(kSize), 0.125, MPI_COMM_WORLD);
+  const Level& level = grid.finest();
+  const NodeOwner nodes(network(), level);
+  if (nodes.owned() == 0) return;
+  const IndexBox& box = level.local_box(0);
+  for (int d = 0; d < 3; ++d)
+    for (const double out : {0.75, 2.5}) {
+      std::vector<Vec3> X = nodes.part().network.X;
+      X[0][d] = (box.lo[static_cast<std::size_t>(d)] - out) * level.h;
+      EXPECT_NEAR(nodes.farthest_out(X), out, 1e-12);
+      X[0][d] = (box.hi[static_cast<std::size_t>(d)] + out) * level.h;
+      EXPECT_NEAR(nodes.farthest_out(X), out, 1e-12);
+    }
+}
+
 TEST(NodeOwner, CopiesHoldTheValuesOfTheOwners)
 {
   const Hierarchy grid(walled_box(kSize), 0.125, MPI_COMM_WORLD);
@@ -125,7 +142,7 @@ TEST(NodeOwner, LostNodesAndNumbersThatAreNoneAreErrorsOnAllRanks)
     for (int n = 0; n < nodes.owned(); ++n)
       if (nodes.part().global[static_cast<std::size_t>(n)] == 11) {
         X[static_cast<std::size_t>(n)][2] = bad;
-        EXPECT_TRUE(nodes.has_strays(X));
+        EXPECT_GT(nodes.farthest_out(X), kNodeDrift);
       }
     EXPECT_THROW(nodes.redistribute(X), SolverError);
   }
