@@ -9,6 +9,7 @@
 
 #include "common/error.hpp"
 #include "ib3d/fluid/tube.hpp"
+#include "ib3d/interaction/spread_interpolate.hpp"
 #include "ib3d/output/mpi_session.hpp"
 #include "ib3d/structure/fiber_force.hpp"
 #include "ib3d/structure/random_network.hpp"
