@@ -16,6 +16,7 @@
 
 namespace valsalva::ib3d {
 
+/// One entry per spring: node numbers, dyn, cm.
 struct Springs {
   std::vector<int> a, b;
   std::vector<double> stiffness, rest_length;
@@ -23,12 +24,14 @@ struct Springs {
   int count() const { return static_cast<int>(a.size()); }
 };
 
+/// One entry per beam: node numbers, x1 in the middle; dyn cm^2, cm.
 struct Beams {
   std::vector<int> x0, x1, x2;
   std::vector<double> rigidity, l1, l2;
   int count() const { return static_cast<int>(x0.size()); }
 };
 
+/// One entry per tether: node number, dyn/cm, cm.
 struct Tethers {
   std::vector<int> node;
   std::vector<double> stiffness;
@@ -42,6 +45,7 @@ struct NodeGroup {
   int first = 0, last = 0;
 };
 
+/// The whole structure, or one rank's part of it.
 struct FiberNetwork {
   std::vector<Vec3> X;  ///< node positions at the start, cm
   Springs springs;
