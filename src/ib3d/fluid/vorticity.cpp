@@ -54,6 +54,7 @@ std::vector<RefinedRegion> vortical_blocks(const Hierarchy& grid, const Composit
       });
     }
     std::vector<IndexBox> mine;
+    mine.reserve(blocks.size());
     for (const auto& [block, cells] : blocks) mine.push_back(cells);
     const auto point = [&](const Int3& c) { return Vec3{level.h * c[0], level.h * c[1], level.h * c[2]}; };
     for (const IndexBox& b : common::gather_lists(mine.data(), static_cast<int>(mine.size()), grid.comm()))

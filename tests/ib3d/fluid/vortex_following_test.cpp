@@ -32,7 +32,7 @@ TEST(Vorticity, AVortexThatTheFlowCarriesStaysOnTheFineLevel)
   CarriedVortex vortex(Hierarchy(domain, h, MPI_COMM_SELF, Refinement{{middle}}), start, Advection::limited);
   const auto follow = [&] {
     const NavierStokes& now = *vortex.fluid;
-    const Refinement boxes = refine(domain, h, policy, {}, vortical_blocks(now.grid(), now.u(), kThreshold));
+    Refinement boxes = refine(domain, h, policy, {}, vortical_blocks(now.grid(), now.u(), kThreshold));
     vortex.fluid = std::make_unique<NavierStokes>(Hierarchy(domain, h, MPI_COMM_SELF, boxes), now);
     return boxes;
   };
