@@ -7,6 +7,7 @@
 
 namespace valsalva::coupling {
 
+/// Names of observables.
 struct AorticValve {
   std::string flow, p_ventricle,
       p_aorta;  ///< "Q_aortic_ml_s", "p_lv_mmHg", "p_ao_mmHg"; empty without valves

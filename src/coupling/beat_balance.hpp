@@ -19,8 +19,9 @@ struct BalanceState {
   double root_energy_mJ = 0;  ///< kinetic and elastic
 };
 
+/// Of a 0D run; the root's totals are 0. std::logic_error unless the network was built with NetworkSpec::balance.
 BalanceState balance_state(const lumped::LumpedNetwork& network, const lumped::LumpedState& state);
-/// Collective.
+/// Of a coupled run; errors as above. Collective.
 BalanceState balance_state(const CoupledModel& model);
 
 /// One column of beats.csv each (docs/outputs.md).
@@ -31,6 +32,7 @@ struct BeatBalance {
   double energy_residual_mJ = 0;
 };
 
+/// The differences of two totals, `end` the later one, with the residuals and the loss in the root that follow from them.
 BeatBalance balance_between(const BalanceState& begin, const BalanceState& end);
 
 }  // namespace valsalva::coupling

@@ -12,6 +12,7 @@
 
 namespace valsalva::coupling {
 
+/// One row of the traces.
 struct BeatSample {
   double t_s = 0;
   double flow_ml_s = 0;  ///< through the aortic valve, forward positive
@@ -21,6 +22,7 @@ struct BeatSample {
   double inflow_ml_s = 0;   ///< into the 3D domain, all openings: its integral is the balance of volume
 };
 
+/// One row of beats.csv (docs/outputs.md).
 struct BeatMetrics {
   int beat = 0;
   double start_s = 0, period_s = 0;

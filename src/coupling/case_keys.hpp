@@ -5,6 +5,7 @@
 
 namespace valsalva::coupling {
 
+/// Built at the first call.
 const common::KeyTable& case_keys();
 
 }  // namespace valsalva::coupling

@@ -41,7 +41,7 @@ std::vector<KeySection> numerics_sections()
             .in(1e-3, 10.0)
             .or_else(0.104167),
         integer("levels", "Levels of refinement by 2; the finest holds the structure").in(1, 8).or_else(1),
-        integer("margin_cells", "Finest cells that the structure may move before the grid follows")
+        integer("margin_cells", "Finest cells that structure and vorticity may move before the grid follows")
             .in(1, 64)
             .or_else(2),
         real("vorticity_1_s", "1/s", "Refine where the vorticity is larger; 0: not for its sake")

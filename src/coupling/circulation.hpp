@@ -17,6 +17,7 @@
 
 namespace valsalva::coupling {
 
+/// Flows Q in ml/s, one per port, positive into the network.
 class Circulation {
  public:
   /// The network of `spec` from its initial state; its ports in the order of the openings. Throws CaseError.
@@ -46,6 +47,7 @@ class Circulation {
   /// Network evaluations (integrations over one step) so far.
   long evaluations() const { return evaluations_; }
 
+  /// Restores the state and what speeds up the next closure, so that steps repeat bit for bit. Collective.
   void save_or_restore(Checkpoint& c);
 
  private:

@@ -14,6 +14,7 @@ namespace valsalva::coupling {
 
 enum class CouplingScheme { implicit_, explicit_ };
 
+/// Keys of [time].
 struct StepControl {
   double cfl = 0.4;             ///< largest CFL number
   double elastic_safety = 0.9;  ///< share of the elastic bound 2/omega_max that is used
@@ -21,6 +22,7 @@ struct StepControl {
   double dt_fixed_s = 0;  ///< > 0: this step, shortened only to land on output times and kinks
 };
 
+/// What a step was, for step.csv: divergence in 1/s, rms and largest.
 struct StepReport {
   long step = 0;
   double t_s = 0, dt_s = 0;
@@ -42,8 +44,10 @@ class CoupledModel {
   /// One step t^n -> t^{n+1}. Collective. Throws SolverError when numbers go bad.
   StepReport advance(const ib3d::StepBound& step);
 
+  /// Time reached, s.
   double t() const { return circulation_.state().t; }
   long step() const { return step_; }
+  /// Pressures and flows at t.
   const InterfaceState& interface() const { return interface_; }
   const ib3d::RootSolver& root() const { return root_; }
   const Circulation& circulation() const { return circulation_; }

@@ -6,6 +6,7 @@
 
 namespace valsalva::coupling {
 
+/// Flows of the velocity at t_s, and the pressures that the network has at t_s with them.
 struct InterfaceState {
   double t_s = 0;
   std::vector<double> pressure_mmHg;

@@ -12,6 +12,7 @@
 #include "common/stop_signal.hpp"
 #include "common/time_series.hpp"
 #include "coupling/aortic_valve.hpp"
+#include "coupling/beat_books.hpp"
 #include "coupling/network_start.hpp"
 #include "coupling/periodic_beats.hpp"
 #include "coupling/run_record.hpp"
@@ -74,7 +75,7 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
     const int p_aorta = observable_number(network, aortic.p_aorta);
     TimeSeriesWriter switchings(options.out_dir + "/valves.csv", {"t_s", "open", "valve"});
     const std::vector<std::string> valve_names = network.valve_names();
-    std::vector<BeatSample> samples;
+    BeatBooks books(spec.period_s);
     const auto record = [&] {
       const std::vector<double> seen = network.observe(state, {});
       std::vector<double> row{state.t};
@@ -82,13 +83,13 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
       row.insert(row.end(), state.y.begin(), state.y.end());
       traces.add(row);
       const auto at = [&](int n) { return n < 0 ? 0.0 : seen[static_cast<std::size_t>(n)]; };
-      samples.push_back({state.t, at(flow), at(p_ventricle), at(p_aorta), -1, 0});
+      books.add({state.t, at(flow), at(p_ventricle), at(p_aorta), -1, 0});
     };
     record();
-    BalanceState at_begin = balance_state(network, state);
+    books.begin(balance_state(network, state));
     lumped::CvodeIntegrator integrator(network);
-    for (int beat = 1; state.t < end - 1e-12 && !stopped && !periodic.reached(); ++beat) {
-      const double stop = std::min(end, beat * spec.period_s);
+    while (state.t < end - 1e-12 && !stopped && !periodic.reached()) {
+      const double stop = std::min(end, books.end_s());
       const double begin = state.t;
       const long rows = std::lround(std::ceil((stop - begin) / kSampleInterval_s));
       for (long n = 1; n <= rows && !stopped; ++n, ++steps) {
@@ -101,15 +102,11 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
         record();
         stopped = common::stop_requested();
       }
-      BeatMetrics metrics = measure_beat(beat, samples);
-      const BalanceState now = balance_state(network, state);
-      metrics.balance = balance_between(at_begin, now);
-      at_begin = now;
+      const BeatMetrics metrics = books.close(balance_state(network, state));
       if (flow >= 0) {
         beats.add(beat_row(metrics));
         log.line(beat_text(metrics) + "\n" + periodic.add(metrics));
       }
-      samples = {samples.back()};
     }
     traces.flush();
     beats.flush();

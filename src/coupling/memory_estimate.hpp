@@ -6,6 +6,7 @@
 
 namespace valsalva::coupling {
 
+/// MB of 10^6 bytes.
 struct MemoryEstimate {
   double fields_mb = 0;     ///< velocities, pressures and the work space of the pressure solve, all ranks
   double structure_mb = 0;  ///< nodes, springs, beams, tethers; every rank holds the whole

@@ -15,12 +15,18 @@
 
 namespace valsalva::coupling {
 
+/// Whether the case has no opening.
 bool is_lumped(const CaseFile& c);
 
+/// Box and sides, cm.
 ib3d::Domain domain_from_case(const CaseFile& c);
+/// Levels, margin and regions of [grid] and [[refine]], with those about the openings.
 ib3d::RefinementPolicy refinement_from_case(const CaseFile& c);
+/// In the order of the case; discs that leave their side or overlap are refused.
 std::vector<ib3d::Opening> openings_from_case(const CaseFile& c, const ib3d::Domain& domain);
+/// cm, along the whole length of the domain.
 ib3d::RootDimensions root_dimensions_from_case(const CaseFile& c, const ib3d::Domain& domain);
+/// s.
 StepControl step_control_from_case(const CaseFile& c);
 
 /// The elastic structure and, for the aortic root, what form-finding found.
@@ -36,6 +42,7 @@ Structure structure_from_case(const CaseFile& c, const ib3d::Domain& domain, dou
 /// Everything of a coupled run, built and owned together. Collective.
 class CaseModel {
  public:
+  /// SolverError where no leaflet shape or periodic start is found. `timers` must outlive the model.
   CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers);
   CaseModel(const CaseModel&) = delete;
   CaseModel& operator=(const CaseModel&) = delete;

@@ -14,6 +14,7 @@
 
 namespace valsalva::coupling {
 
+/// The network that the run integrates, and its state at t = 0.
 struct NetworkStart {
   lumped::NetworkSpec spec;
   lumped::LumpedState state;

@@ -7,6 +7,7 @@
 
 namespace valsalva::coupling {
 
+/// s, and numbers of steps, valid cells and nodes.
 struct RunRecord {
   std::string case_path;
   std::string outcome;  ///< "running", "finished", "stopped by a signal", "failed"

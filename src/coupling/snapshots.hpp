@@ -15,6 +15,7 @@ namespace valsalva::coupling {
 
 class Snapshots {
  public:
+  /// Plans the files; writes none. `model` must outlive the object. IoError if a list of files cannot be read.
   Snapshots(const std::string& folder, const CaseFile& c, CaseModel& model, const Communicator& comm);
 
   /// The next time at which something is to be written (s): steps should land on it.

@@ -27,7 +27,7 @@ Traces::Traces(const std::string& folder, const CaseFile& c, CaseModel& model, c
     : folder_(folder),
       model_(model),
       comm_(comm),
-      period_s_(beat_length(c)),
+      books_(beat_length(c)),
       every_(c.section("output").integer("traces_every_steps")),
       probes_z_(c.section("output").reals("probes_z_cm")),
       center_(c.section("root").reals("center_cm"))
@@ -65,16 +65,12 @@ void Traces::begin()
     for (File* file : {&steps_, &openings_, &probes_, &beats_})
       file->writer.emplace(path_of(*file), file->columns);
   write_row({}, 0.0);
-  at_begin_ = balance_state(model_.model());
+  books_.begin(balance_state(model_.model()));
 }
 
 void Traces::save_or_restore(Checkpoint& c)
 {
-  c("traces/beat", beat_);
-  c("traces/samples", samples_);
-  std::vector<BalanceState> balance{at_begin_};
-  c("traces/balance_at_begin", balance);
-  at_begin_ = balance.at(0);
+  books_.save_or_restore(c);
   for (File* file : {&steps_, &openings_, &probes_, &beats_}) {
     std::int64_t position = 0;
     if (!c.reading()) common::on_root(comm_, [&] { position = file->writer->position(); });
@@ -125,7 +121,7 @@ void Traces::write_row(const StepReport& step, double wall_s)
     sample.p_aorta_mmHg = now.pressure_mmHg[m];
     sample.flow_ml_s = now.flow_ml_s[m];
   }
-  samples_.push_back(sample);
+  books_.add(sample);
   if (!comm_.is_root()) return;
 
   std::vector<double> row{now.t_s};
@@ -150,24 +146,17 @@ std::optional<BeatMetrics> Traces::record(const StepReport& step, double wall_s)
 
 BeatMetrics Traces::close_beat()
 {
-  BeatMetrics metrics = measure_beat(beat_, samples_);
-  const BalanceState now = balance_state(model_.model());
-  metrics.balance = balance_between(at_begin_, now);
-  at_begin_ = now;
+  const BeatMetrics metrics = books_.close(balance_state(model_.model()));
   if (beats_.writer) beats_.writer->add(beat_row(metrics));
-  samples_ = {samples_.back()};
-  ++beat_;
   flush();
   return metrics;
 }
 
 std::optional<BeatMetrics> Traces::finish()
 {
-  if (samples_.size() < 2) {
-    flush();
-    return std::nullopt;
-  }
-  return close_beat();
+  if (books_.under_way()) return close_beat();
+  flush();
+  return std::nullopt;
 }
 
 void Traces::flush()

@@ -8,13 +8,14 @@
 #include "common/checkpoint.hpp"
 #include "common/comm.hpp"
 #include "common/time_series.hpp"
-#include "coupling/beat_metrics.hpp"
+#include "coupling/beat_books.hpp"
 #include "coupling/model_from_case.hpp"
 
 namespace valsalva::coupling {
 
 class Traces {
  public:
+  /// Writes nothing yet. `model` must outlive the object.
   Traces(const std::string& folder, const CaseFile& c, CaseModel& model, const Communicator& comm);
 
   /// Creates the files and writes the row of t = 0.
@@ -25,13 +26,15 @@ class Traces {
   std::optional<BeatMetrics> record(const StepReport& step, double wall_s);
   /// The row of the beat under way, when the run ends within it; returns its metrics.
   std::optional<BeatMetrics> finish();
+  /// Everything written so far is in the files afterwards.
   void flush();
 
   /// The latest sample, for the progress line.
-  const BeatSample& latest() const { return samples_.back(); }
-  int beat() const { return beat_; }
+  const BeatSample& latest() const { return books_.latest(); }
+  /// Number of the beat under way, from 1.
+  int beat() const { return books_.beat(); }
   /// The end of the beat under way (s): steps should land on it.
-  double beat_end() const { return beat_ * period_s_; }
+  double beat_end() const { return books_.end_s(); }
 
  private:
   struct File {
@@ -47,14 +50,12 @@ class Traces {
   std::string folder_;
   CaseModel& model_;
   Communicator comm_;
-  double period_s_;
-  int every_, beat_ = 1;
+  BeatBooks books_;
+  int every_;
   std::vector<double> probes_z_, center_;
   double valve_radius_ = 0, upstream_z_ = 0, downstream_z_ = 0, downstream_radius_ = 0;
   std::vector<int> edge_nodes_;
   File steps_, openings_, probes_, beats_;
-  std::vector<BeatSample> samples_;
-  BalanceState at_begin_;  ///< of the beat
   double q_upstream_ = 0, q_downstream_ = 0, orifice_ = -1;
 };
 

@@ -21,6 +21,7 @@ struct StepBound {
   Limit limited_by = Limit::longest;
 };
 
+/// As in the column dt_bound of step.csv.
 constexpr const char* limit_name(Limit l)
 {
   constexpr const char* names[] = {"longest", "cfl", "elastic", "viscous", "growth", "output", "fixed"};
@@ -30,6 +31,7 @@ constexpr const char* limit_name(Limit l)
 /// Power iteration for omega_max of the structure immersed in the fluid.
 class ElasticBound {
  public:
+  /// Of the finest level; density in g/cm^3.
   ElasticBound(const Level& level, double density) : level_(level), density_(density), f_(level) {}
 
   /// `sweeps` more power iterations at the positions X (all local nodes); returns omega_max (1/s), 0 without
@@ -40,6 +42,7 @@ class ElasticBound {
   /// Forgets the eigenvector: call after nodes have changed ranks (the estimate of omega is kept until the
   /// next update).
   void restart() { started_ = false; }
+  /// omega and its eigenvector. Collective.
   void save_or_restore(Checkpoint& c, const NodeOwner& nodes);
 
  private:

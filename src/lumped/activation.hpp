@@ -17,7 +17,9 @@ struct DoubleHill {
 template <class Scalar>
 class Activation {
  public:
+  /// Scaled so that its maximum over the period is 1.
   static Activation double_hill(DoubleHill<Scalar> shape, const Scalar& period_s);
+  /// `systole_s` > 0: the time Ts of the contraction.
   static Activation half_cosine(const Scalar& systole_s);
 
   /// e at `t` seconds after the onset, 0 <= t <= T.

@@ -31,6 +31,7 @@ struct Branch {
     else
       circuit.add_resistor(from, to, R, B);
   }
+  /// ml/s; `Q`: as in `connect`.
   Scalar flow(const Scalar& dp, const Scalar* Q) const
   {
     return has_inertia() ? *Q : resistor_flow(dp, R, B);

@@ -22,6 +22,7 @@ namespace valsalva::lumped {
 
 class CvodeMemory;
 
+/// Counts since the integrator was made.
 struct IntegratorStatistics {
   long steps = 0;
   long rhs_evaluations = 0;

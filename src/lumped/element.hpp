@@ -34,6 +34,7 @@ struct StateVariable {
   Scalar initial;
 };
 
+/// The part of a NetworkState that an element sees.
 template <class Scalar>
 struct LocalState {
   const Scalar* y;  ///< the element's own states
@@ -67,7 +68,9 @@ class Element {
   int node(int terminal) const { return nodes_[static_cast<std::size_t>(terminal)]; }
   const std::vector<int>& nodes() const { return nodes_; }
 
+  /// What it does at the node of this terminal (0, or 0 = from and 1 = to).
   virtual NodeRole role(int /*terminal*/) const { return NodeRole::none; }
+  /// In the order of LocalState::y and of the rates.
   virtual std::vector<StateVariable<Scalar>> states() const { return {}; }
   virtual void connect(Instant now, LocalState<Scalar> state, NodalCircuit<Scalar>& circuit) const = 0;
   virtual void rates(Instant, LocalState<Scalar>, const NodalCircuit<Scalar>&, Scalar* /*dydt*/) const {}

@@ -44,6 +44,7 @@ std::unique_ptr<Element<Scalar>> make_element(const ElementInput<Scalar>& input)
   return std::make_unique<Type<Scalar>>(input);
 }
 
+/// A type's entry in the table.
 struct ElementType {
   std::string name = {};
   std::vector<std::string> terminals = {};  ///< "node", or "from" and "to"
@@ -55,6 +56,7 @@ struct ElementType {
   void (*check)(const ElementSpec&, double period_s, std::vector<CaseProblem>&) = nullptr;
 };
 
+/// In the order of the documentation.
 const std::vector<ElementType>& element_types();
 
 /// The type of this name, or nullptr.

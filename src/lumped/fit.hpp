@@ -16,6 +16,7 @@
 
 namespace valsalva::lumped {
 
+/// One unknown; start, value and bounds are of the quantity itself.
 struct Estimate {
   std::string name;
   double start, value;
@@ -33,6 +34,7 @@ struct FitQuality {
   double lag_one;                      ///< correlation of neighbouring residuals of a signal
 };
 
+/// The optimum with what is known about it; matrices have one row and column per estimate.
 struct Fit {
   std::vector<Estimate> estimates;
   Eigen::MatrixXd correlation;

@@ -10,6 +10,7 @@
 
 namespace valsalva::lumped {
 
+/// `unknowns` in the order of fit.estimates; empty where all is well.
 std::vector<std::string> fit_flags(const Fit& fit, const std::vector<Unknown>& unknowns);
 
 /// Sentences on data whose length is not that of the beat, of a periodic fit: signals, and tables of sources.

@@ -20,6 +20,7 @@ struct Unknown {
   std::string name;
   bool is_log;
   double start, lowest, highest;  ///< of the quantity itself
+  /// The quantity as a component of x, its logarithm or itself, and back.
   double to_x(double value) const;
   double from_x(double x) const;
 };

@@ -12,12 +12,14 @@
 
 namespace valsalva::lumped {
 
+/// A number of an element that is free between its bounds.
 struct FitParameter {
   std::string name;
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
 };
 
+/// A measured trace; in the unit of its observable.
 struct FitSignal {
   std::string name;
   std::string observable;        ///< "p_ao_mmHg"
@@ -29,6 +31,7 @@ struct FitSignal {
 
 enum class SummaryKind { systolic, diastolic, mean, volume };  ///< largest, smallest, mean, time integral
 
+/// A measured number; in the unit of its observable, a volume in ml.
 struct FitSummary {
   std::string name;
   SummaryKind kind;

@@ -14,6 +14,7 @@ namespace valsalva::lumped {
 /// r(x) and J = dr/dx. May throw SolverError where the model has no answer: the step is then shortened.
 using Residuals = std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd& J)>;
 
+/// Unknowns, residuals and their derivatives where the search ended.
 struct LeastSquares {
   Eigen::VectorXd x, r;
   Eigen::MatrixXd J;
@@ -26,6 +27,8 @@ struct LeastSquaresOptions {
   int most_evaluations = 100;
 };
 
+/// From x, which is moved within lowest <= x <= highest (one entry per unknown). Passes on what
+/// `residuals` throws at the start.
 LeastSquares levenberg_marquardt(const Residuals& residuals, Eigen::VectorXd x, const Eigen::VectorXd& lowest,
                                  const Eigen::VectorXd& highest, const LeastSquaresOptions& options = {});
 

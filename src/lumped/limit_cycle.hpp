@@ -16,6 +16,7 @@
 
 namespace valsalva::lumped {
 
+/// A periodic state and how it depends on its start and on the parameters.
 struct LimitCycle {
   LumpedState start;          ///< at a multiple of the period, after all that happens once
   Eigen::MatrixXd S;          ///< d start.y/dp, one column per parameter

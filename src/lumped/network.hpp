@@ -62,6 +62,7 @@ class Network {
   /// What `observe` returns: all node pressures "p_<node>_mmHg", then all element flows "Q_<element>_ml_s"
   /// (into a windkessel or chamber, out of a source, from -> to through a valve).
   const std::vector<Quantity>& observables() const { return observables_; }
+  /// At the state; at a kink the value after it. `Q`: one flow per port, ml/s.
   std::vector<Scalar> observe(const NetworkState<Scalar>& state, std::span<const double> Q) const;
   /// The smallest time more than kTimeResolution_s after `t` at which a source or chamber has a kink (s);
   /// infinity if there is none.
@@ -75,13 +76,16 @@ class Network {
   // For integrators. `circuit` is scratch of this network (`make_circuit`); after a call it holds the
   // pressures.
   NodalCircuit<Scalar> make_circuit() const { return NodalCircuit<Scalar>(node_count()); }
+  /// All node pressures, left in `circuit`. SolverError if they are not finite.
   void solve_circuit(Instant now, const Scalar* y, std::span<const int> valve_open, std::span<const double> Q,
                      NodalCircuit<Scalar>& circuit) const;
+  /// dydt, one entry per state and integral, per s.
   void rates(Instant now, const Scalar* y, std::span<const int> valve_open, std::span<const double> Q,
              NodalCircuit<Scalar>& circuit, Scalar* dydt) const;
   /// Per valve: positive while it stays as it is.
   void switch_margins(Instant now, const Scalar* y, std::span<const int> valve_open,
                       std::span<const double> Q, NodalCircuit<Scalar>& circuit, Scalar* margins) const;
+  /// Opens or closes it and lets the element adapt its states.
   void switch_valve(int valve, NetworkState<Scalar>& state) const;
   /// Switches valves, one after the other, until all are consistent with the pressures; returns which.
   std::vector<int> settle_valves(Instant now, NetworkState<Scalar>& state, std::span<const double> Q,

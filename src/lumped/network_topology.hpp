@@ -12,6 +12,7 @@
 
 namespace valsalva::lumped {
 
+/// Node numbers are indices of node_names.
 struct NetworkTopology {
   std::vector<std::string> node_names;
   std::vector<std::vector<int>> element_nodes;  ///< per element, in the order of its type's terminals

@@ -26,9 +26,12 @@ Scalar resistor_flow(const Scalar& dp, const Scalar& R, const Scalar& B)
 template <class Scalar>
 class NodalCircuit {
  public:
+  /// Of that many nodes, nothing connected.
   explicit NodalCircuit(int nodes);
 
+  /// Disconnects everything.
   void clear();
+  /// Z = 0: whatever flows, the node has the pressure p.
   void hold_pressure(int node, const Scalar& p);
   /// A branch from pressure p through the resistance R > 0 to the node.
   void add_pressure(int node, const Scalar& p, const Scalar& R);
@@ -40,11 +43,13 @@ class NodalCircuit {
     at(from).inflow -= Q;
     at(to).inflow += Q;
   }
+  /// R Q + B Q|Q| = P_from - P_to; R, B >= 0, not both 0.
   void add_resistor(int from, int to, const Scalar& R, const Scalar& B);
 
   /// Finds all pressures. SolverError if Newton does not converge (values that are not finite).
   void solve();
 
+  /// mmHg, once solved.
   const Scalar& pressure(int node) const { return nodes_[static_cast<std::size_t>(node)].pressure; }
   /// What flows into the element that holds this node's pressure.
   const Scalar& flow_into_holder(int node) const { return nodes_[static_cast<std::size_t>(node)].excess; }

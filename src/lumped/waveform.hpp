@@ -17,7 +17,9 @@ class Waveform {
   /// From the keys <value>, time_s, beyond_table, cosine and sine of a checked source.
   Waveform(const ElementInput<Scalar>& input, const std::string& value_key);
 
+  /// In the unit of the values.
   Scalar value(Instant now) const;
+  /// The smallest time more than kTimeResolution_s after t (s) at which a table has a corner; infinity if none.
   Scalar next_kink(double t) const;
 
  private:
@@ -34,6 +36,8 @@ class Waveform {
 /// file and column.
 std::vector<ElementParameter> waveform_parameters(const std::string& value_key, const std::string& unit,
                                                   const std::string& quantity, const std::string& meaning);
+/// Adds what is wrong with the keys together: tables of unequal length, times that do not increase, a repeat without a
+/// period.
 void check_waveform(const ElementSpec& element, const std::string& value_key, double period_s,
                     std::vector<CaseProblem>& problems);
 

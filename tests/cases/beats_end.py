@@ -12,56 +12,16 @@ import sys
 import tempfile
 
 program, root, scenario = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
-TUBE_TOLERANCE = 0.04
+TUBE_TOLERANCE = 0.01
 COMPARED = ["stroke_volume_ml", "p_ao_mean_mmHg", "p_ao_systolic_mmHg", "p_ao_diastolic_mmHg"]
 found = []
 
-# A tube of fluid between a pressure and a Windkessel that fills within a few beats.
-TUBE = """
-[time]
-end_s = 1.0
-period_s = 0.02
-stop_when_periodic_within = 0.04
-dt_fixed_s = 1e-3
-[domain]
-size_cm = [1.0, 1.0, 2.0]
-[grid]
-finest_cm = 0.125
-[fluid]
-advection = "limited"
-[checkpoint]
-every_wall_s = 1e-9
-keep = 1000
-[output]
-fields_every_s = 0
-pictures = false
-report = false
-[[opening]]
-name = "inlet"
-side = "z_lo"
-center_cm = [0.5, 0.5]
-radius_cm = 0.4
-port = "in"
-[[opening]]
-name = "outlet"
-side = "z_hi"
-center_cm = [0.5, 0.5]
-radius_cm = 0.4
-port = "out"
-[[element]]
-name = "source"
-type = "pressure_source"
-node = "in"
-pressure_mmHg = 1.0
-[[element]]
-name = "arteries"
-type = "windkessel3"
-node = "out"
-Rc_mmHg_s_ml = 0.2
-Rp_mmHg_s_ml = 0.5
-C_ml_mmHg = 0.1
-initial_pressure_mmHg = 0.0
-"""
+# The tube of the coupling's tests on a coarse grid, with a Windkessel that fills within a few beats.
+TUBE = {"time.end_s": 1.0, "time.period_s": 0.02, "time.stop_when_periodic_within": TUBE_TOLERANCE,
+        "time.dt_fixed_s": 1e-3, "grid.finest_cm": 0.25, "checkpoint.every_wall_s": 1e-9, "checkpoint.keep": 1000,
+        "output.fields_every_s": 0, "element.ventricle.pressure_mmHg": 1.0, "element.arteries.Rc_mmHg_s_ml": 0.2,
+        "element.arteries.Rp_mmHg_s_ml": 0.5, "element.arteries.C_ml_mmHg": 0.1,
+        "element.arteries.initial_pressure_mmHg": 0.0}
 
 
 def expect(holds, message):
@@ -69,8 +29,11 @@ def expect(holds, message):
         found.append(message)
 
 
-def run(case, out, *arguments):
-    done = subprocess.run([program, "run", str(case), "-o", str(out), *arguments], capture_output=True, text=True, timeout=100)
+def run(case, out, *arguments, changes=()):
+    command = [program, "run", str(case), "-o", str(out), *arguments]
+    for key, value in {"output.pictures": "false", "output.report": "false", **dict(changes)}.items():
+        command += ["--set", f"{key}={value}"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=100)
     expect(done.returncode == 0, f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
     with open(out / "beats.csv") as file:
         return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
@@ -98,8 +61,8 @@ def repeating(scratch):
     lengths = []
     for tolerance in [0.01, 0.0005]:
         out = scratch / str(tolerance)
-        beats = run(root / "cases" / "lumped_heart", out, "--set", "output.pictures=false", "--set", "output.report=false",
-                    "--set", "time.end_s=40", "--set", f"time.stop_when_periodic_within={tolerance}")
+        beats = run(root / "cases" / "lumped_heart", out,
+                    changes={"time.end_s": 40, "time.stop_when_periodic_within": tolerance})
         expect_stopped_at_the_first_small_change(out, beats, tolerance)
         lengths.append(len(beats))
     expect(lengths[0] < lengths[1], f"a finer tolerance took no longer: {lengths} beats")
@@ -107,20 +70,20 @@ def repeating(scratch):
 
 def continued(scratch):
     """A 3D run that is continued from within a beat stops after the same beat as one that goes through."""
-    case = scratch / "case.toml"
-    case.write_text(TUBE)
+    case = root / "tests" / "coupling" / "tube.toml"
     whole, out = scratch / "whole", scratch / "out"
-    beats = run(case, whole)
+    beats = run(case, whole, changes=TUBE)
     expect_stopped_at_the_first_small_change(whole, beats, TUBE_TOLERANCE)
     shutil.copytree(whole, out)
     last = max(out.glob("checkpoints/*.h5"))
     step = int(last.stem.split("_")[1])
     for back in [5, 20, 33]:  # within the last beat, at its begin, and within the one before
         from_file = out / "checkpoints" / f"checkpoint_{step - back:08}.h5"
-        expect(run(case, out, "--restart", str(from_file)) == beats, f"{back} steps back: another beats.csv")
+        expect(run(case, out, "--restart", str(from_file), changes=TUBE) == beats, f"{back} steps back: another beats.csv")
         expect_stopped_at_the_first_small_change(out, beats, TUBE_TOLERANCE)
-    expect(run(case, out, "--restart", "latest") == beats, "a run that had stopped went on")
-    finer = run(case, out, "--restart", "latest", "--set", f"time.stop_when_periodic_within={TUBE_TOLERANCE / 4}")
+    expect(run(case, out, "--restart", "latest", changes=TUBE) == beats, "a run that had stopped went on")
+    finer = run(case, out, "--restart", "latest",
+                changes=TUBE | {"time.stop_when_periodic_within": TUBE_TOLERANCE / 4})
     expect(len(finer) > len(beats) and finer[:len(beats)] == beats, "a smaller tolerance did not go on from there")
     for beat in finer:
         expect(beat["root_loss_mJ"] > 0, f"beat {beat['beat']:.0f}: the 3D tube gives energy: {beat['root_loss_mJ']} mJ")
@@ -132,7 +95,7 @@ def continued(scratch):
 def balanced(scratch):
     """0D runs: to the integrator's tolerance in every beat."""
     for case in ["lumped_heart", "four_chamber_loop"]:
-        for beat in run(root / "cases" / case, scratch / case, "--set", "output.pictures=false", "--set", "output.report=false"):
+        for beat in run(root / "cases" / case, scratch / case):
             where = f"{case}, beat {beat['beat']:.0f}"
             work = beat["source_work_mJ"]
             expect(500 < work < 3000, f"{where}: {work} mJ of work")

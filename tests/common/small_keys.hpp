@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/case_file.hpp"
+#include "complaint.hpp"
 
 namespace valsalva::common {
 
@@ -42,12 +43,7 @@ inline CaseFile parse_small(const std::string& toml, const std::vector<std::stri
 /// The whole text of the CaseError that `toml` causes, or an empty text if it is accepted.
 inline std::string refusal(const std::string& toml, const std::vector<std::string>& overrides = {})
 {
-  try {
-    parse_small(toml, overrides);
-    return "";
-  } catch (const CaseError& error) {
-    return error.what();
-  }
+  return complaint([&] { parse_small(toml, overrides); });
 }
 
 }  // namespace valsalva::common

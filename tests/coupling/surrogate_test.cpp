@@ -6,76 +6,30 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/error.hpp"
+#include "complaint.hpp"
 #include "coupling/calibrate.hpp"
-#include "coupling/case_keys.hpp"
 #include "coupling/model_from_case.hpp"
+#include "coupling/small_cases.hpp"
 #include "lumped/fit.hpp"
 #include "lumped/limit_cycle.hpp"
 
 namespace valsalva::coupling {
 namespace {
 
-const std::string kElements = R"(
-[time]
-end_s = 0.8
-period_s = 0.8
-[[element]]
-name = "ventricle"
-type = "pressure_source"
-node = "lv"
-time_s = [0.0, 0.05, 0.15, 0.35, 0.45, 0.8]
-pressure_mmHg = [0.0, 0.0, 120.0, 120.0, 0.0, 0.0]
-beyond_table = "repeat"
-[[element]]
-name = "arteries"
-type = "windkessel3"
-node = "ao"
-Rc_mmHg_s_ml = 0.033
-Rp_mmHg_s_ml = 0.79
-C_ml_mmHg = 1.75
-initial_pressure_mmHg = 60.0
-pressurise_s = 0.05
-)";
-const std::string kInlet = R"(
-[domain]
-size_cm = [2.0, 2.0, 4.0]
-[grid]
-finest_cm = 0.125
-[[opening]]
-name = "inlet"
-side = "z_lo"
-center_cm = [1.0, 1.0]
-radius_cm = 0.6
-port = "lv"
-)";
-const std::string kOutlet = R"(
-[[opening]]
-name = "outlet"
-side = "z_hi"
-center_cm = [1.0, 1.0]
-radius_cm = 0.7
-port = "ao"
-)";
-
-CaseFile a_case(const std::string& text, const std::vector<std::string>& overrides = {})
+/// The ventricle beats, into arteries that are filled at the start.
+Changes beating(const Changes& more)
 {
-  return CaseFile::parse(text, "root.toml", case_keys(), overrides);
+  Changes all{"element.ventricle.time_s=[0.0, 0.05, 0.15, 0.35, 0.45, 0.8]",
+              "element.ventricle.pressure_mmHg=[0.0, 0.0, 120.0, 120.0, 0.0, 0.0]",
+              "element.ventricle.beyond_table=repeat", "element.arteries.initial_pressure_mmHg=60",
+              "element.arteries.pressurise_s=0.05"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
 }
 
-CaseFile root_case(const std::vector<std::string>& overrides = {})
+CaseFile root_case(const Changes& changes = {}, const std::string& more = "")
 {
-  return a_case(kElements + kInlet + kOutlet, overrides);
-}
-
-std::string complaint(const std::function<void()>& action)
-{
-  try {
-    action();
-  } catch (const CaseError& error) {
-    return error.what();
-  }
-  return "no CaseError";
+  return tube_case(beating(changes), more);
 }
 
 /// openings.csv of a root that is the surrogate itself: pressures of a beat, linear between the milliseconds.
@@ -128,7 +82,7 @@ TEST(Calibration, ABeatThatTheRunHasNotReachedIsRefused)
 
 TEST(Surrogate, ItsNetworkIsThatOfAHandWrittenCase)
 {
-  const CaseFile written = a_case(kElements + R"(
+  const CaseFile written = circulation_case(beating({}), R"(
 [[element]]
 name = "aortic_root"
 type = "orifice_valve"
@@ -160,13 +114,12 @@ density_g_cm3 = 1.05
 
 TEST(Surrogate, NeedsOneOpeningAtEachEnd)
 {
-  for (const std::string& openings : {kInlet, kOutlet,
-                                      kInlet + kOutlet +
-                                          "[[opening]]\nname = \"second\"\nside = \"z_hi\"\n"
-                                          "center_cm = [1.0, 1.0]\nradius_cm = 0.1\nport = \"ao\"\n"})
-    EXPECT_NE(complaint([&] {
-                lumped_network_from_case(a_case(kElements + openings));
-              }).find("one opening on z_lo to one on z_hi"),
+  const std::string second =
+      "[[opening]]\nname = \"second\"\nside = \"z_hi\"\ncenter_cm = [1.0, 1.0]\nradius_cm = 0.1\nport = "
+      "\"ao\"\n";
+  for (const CaseFile& c : {root_case({"opening.outlet.side=z_lo"}), root_case({"opening.inlet.side=z_hi"}),
+                            root_case({}, second), circulation_case({}, second)})
+    EXPECT_NE(complaint([&] { lumped_network_from_case(c); }).find("one opening on z_lo to one on z_hi"),
               std::string::npos);
 }
 
@@ -189,10 +142,9 @@ TEST(PeriodicStart, A3DRunBeginsInTheStateOfItsTwin)
 
 TEST(PeriodicStart, WhatHasNoPeriodicBeginningInDiastoleIsRefused)
 {
-  const auto start = [](const std::vector<std::string>& more) {
-    std::vector<std::string> overrides{"time.start=periodic"};
-    overrides.insert(overrides.end(), more.begin(), more.end());
-    const CaseFile c = root_case(overrides);
+  const auto start = [](Changes changes) {
+    changes.emplace_back("time.start=periodic");
+    const CaseFile c = root_case(changes);
     network_start(c, network_from_case(c));
   };
   EXPECT_NE(complaint([&] { start({"time.period_s=0"}); }).find("time.period_s is 0; set it"),

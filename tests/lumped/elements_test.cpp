@@ -8,6 +8,7 @@
 #include "common/error.hpp"
 #include "common/units.hpp"
 #include "lumped/limit_cycle.hpp"
+#include "lumped/refusal.hpp"
 #include "lumped/specs.hpp"
 
 namespace valsalva::lumped::testing {
@@ -171,34 +172,24 @@ TEST(OrificeValve, ItsLeafletsDoNotFeelThePressureThatAcceleratesTheVessels)
 
 TEST(BadNetwork, AVesselThatIsNothingAndAJunctionWithoutPressureAreNamed)
 {
-  const auto complaint = [](const NetworkSpec& spec) {
-    try {
-      const LumpedNetwork network(spec);
-    } catch (const CaseError& error) {
-      return std::string(error.what());
-    }
-    return std::string("(accepted)");
-  };
-  EXPECT_NE(complaint({{chamber("c", "a"), vessel("v", "a", "b", 0.0), windkessel("w", "b")}, {}, 0.8})
+  EXPECT_NE(refusal({{chamber("c", "a"), vessel("v", "a", "b", 0.0), windkessel("w", "b")}, {}, 0.8})
                 .find("nothing stands between the nodes \"a\" and \"b\""),
             std::string::npos);
-  EXPECT_NE(complaint({{chamber("c", "a"), vessel("v", "a", "m", 0.1), vessel("u", "m", "b", 0.1),
-                        windkessel("w", "b")},
-                       {},
-                       0.8})
+  EXPECT_NE(refusal({{chamber("c", "a"), vessel("v", "a", "m", 0.1), vessel("u", "m", "b", 0.1),
+                      windkessel("w", "b")},
+                     {},
+                     0.8})
                 .find("node \"m\": joins only \"v\", \"u\""),
             std::string::npos);
-  EXPECT_NE(complaint({{pressure_source("p", "a", 5.0), vessel("v", "a", "b", 0.1, 0.0, 1.0)}, {}, 0.0})
+  EXPECT_NE(refusal({{pressure_source("p", "a", 5.0), vessel("v", "a", "b", 0.1, 0.0, 1.0)}, {}, 0.0})
                 .find("node \"a\": has its pressure fixed by \"p\", \"v\" at once"),
             std::string::npos);
   ElementSpec series{"s", "flow_source", {{"node", "b"}}, {}, {{"flow_ml_s", {1.0}}, {"sine_ml_s", {2.0}}},
                      {}};
-  EXPECT_NE(complaint({{series, windkessel("w", "b")}, {}, 0.0}).find("give time.period_s"),
-            std::string::npos);
+  EXPECT_NE(refusal({{series, windkessel("w", "b")}, {}, 0.0}).find("give time.period_s"), std::string::npos);
   ElementSpec unread{"s", "flow_source", {{"node", "b"}}, {}, {}, {{"column", "Q_ao_ml_s"}}};
-  EXPECT_NE(
-      complaint({{unread, windkessel("w", "b")}, {}, 0.8}).find("column \"Q_ao_ml_s\" has not been read"),
-      std::string::npos);
+  EXPECT_NE(refusal({{unread, windkessel("w", "b")}, {}, 0.8}).find("column \"Q_ao_ml_s\" has not been read"),
+            std::string::npos);
 }
 
 }  // namespace valsalva::lumped::testing

@@ -21,8 +21,11 @@ class CompositePressure {
 
   const Hierarchy& hierarchy() const { return hierarchy_; }
   const PressureGrid& grid(int l) const { return grids_[static_cast<std::size_t>(l)]; }
+  /// Between levels l - 1 and l, l >= 1.
   PressureInterface& edge(int l) { return edges_[static_cast<std::size_t>(l) - 1]; }
+  /// Whether no side prescribes a pressure.
   bool singular() const { return grids_[0].singular(); }
+  /// One entry per level.
   std::vector<BoundaryPressure> zero_boundary_pressure() const;
 
   /// Averages down, then fills all ghosts; p_b as prescribed, or 0.

@@ -11,6 +11,7 @@
 
 namespace valsalva::ib3d {
 
+/// Units of p/cm^2.
 struct KrylovReport {
   int iterations = 0;
   double initial_rms = 0, final_rms = 0;  ///< root mean square of the residual b + lap p before and after
@@ -19,6 +20,7 @@ struct KrylovReport {
 
 class FlexibleCg {
  public:
+  /// Both must outlive the object.
   FlexibleCg(CompositePressure& problem, Preconditioner& preconditioner);
 
   /// Improves p until rms(r) <= tolerance_rms (units of p/cm^2), tested before the first iteration too. `residual`

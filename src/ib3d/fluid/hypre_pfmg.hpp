@@ -21,6 +21,7 @@ class HyprePfmg : public Preconditioner {
 
   /// On a hierarchy of one level.
   void apply(const CompositeCells<float>& r, CompositeCells<float>& z) override { solve(r.at(0), z.at(0)); }
+  /// z ~ A^{-1} r on the one level, ghosts of z left alone. Collective. SolverError as above.
   void solve(const CellField<float>& r, CellField<float>& z);
 
  private:

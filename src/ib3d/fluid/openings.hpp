@@ -14,6 +14,7 @@
 
 namespace valsalva::ib3d {
 
+/// A disc on a z side of the domain.
 struct Opening {
   std::string name;
   int side = 4;       ///< 4 = z_lo, 5 = z_hi
@@ -31,6 +32,7 @@ struct SidePlane {
   int lo1 = 0, lo2 = 0, n1 = 0, n2 = 0;  ///< indices of the cells covered, ghosts left out
   std::vector<T> value;
   SidePlane() = default;
+  /// Over the cells of a patch that touches the side, every value `fill`.
   SidePlane(const IndexBox& cells, int side_number, T fill);
   T& operator()(int a, int b) { return value[index(a, b)]; }
   T operator()(int a, int b) const { return value[index(a, b)]; }
@@ -77,6 +79,7 @@ class OpeningFaces {
     int level, patch;  ///< patch: local number
     int i, j, k;       ///< of the face normal to z
   };
+  /// CaseError("opening.radius_cm") names a disc without any face. Collective.
   OpeningFaces(const Hierarchy& grid, const std::vector<Opening>& openings);
 
   int count() const { return static_cast<int>(faces_.size()); }
@@ -87,6 +90,7 @@ class OpeningFaces {
   /// gives along z. Collective.
   template <class W>
   std::vector<double> flow_of(W&& w) const;
+  /// The same of a velocity field (cm/s).
   std::vector<double> flow(const CompositeMac& u) const
   {
     return flow_of(

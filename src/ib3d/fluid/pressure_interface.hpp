@@ -13,11 +13,13 @@ namespace valsalva::ib3d {
 
 class PressureInterface {
  public:
+  /// Between a level and the next finer one.
   PressureInterface(const Level& coarse, const Level& fine);
 
   /// Takes 8/15 c* from coarse values with filled ghosts (their corners too). Collective.
   template <class T>
   void take_base(const CellField<T>& coarse);
+  /// Sets the base to 0, for corrections that are 0 on the coarse level.
   void zero_base();
   /// Fills the ghosts of the fine level at its edge from the base and the fine values.
   template <class T>

@@ -9,6 +9,7 @@
 
 namespace valsalva::ib3d {
 
+/// Keys of [pressure].
 struct PressureOptions {
   std::string solver = "multilevel";
   double divergence_tolerance = 1e-3;  ///< 1/s, rms of what is left of div u

@@ -16,6 +16,7 @@ inline T neighbours(const T* c, std::ptrdiff_t i, std::ptrdiff_t sy, std::ptrdif
   return (c[i - 1] + c[i + 1]) + (c[i - sy] + c[i + sy]) + (c[i - sz] + c[i + sz]);
 }
 
+/// Factors of momentum_row.
 struct MomentumWeights {
   double convection, diffusion;  ///< of h div(u u) and h^2 lap u in the rate G
   double now, before;            ///< of the rates in u*

@@ -13,6 +13,7 @@ namespace valsalva::ib3d {
 
 class ViscousSolver {
  public:
+  /// Work space for all levels.
   explicit ViscousSolver(const Hierarchy& grid);
 
   /// Replaces b in u by the solution, ghosts filled, and returns the number of sweeps. diffusion = nu dt/2 (cm^2);

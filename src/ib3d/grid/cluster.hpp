@@ -13,6 +13,7 @@ namespace valsalva::ib3d {
 /// Tags on the tiles of a level.
 class Tiles {
  public:
+  /// No tags yet; `cells` is a level's whole box, a multiple of 8 cells in every direction.
   explicit Tiles(const IndexBox& cells);
   const IndexBox& box() const { return box_; }  ///< in tiles
   bool operator()(int i, int j, int k) const { return tag_[index(i, j, k)] != 0; }

@@ -16,6 +16,7 @@ class CoarseFine {
   /// `ghosts`: layers that fill_ghosts fills.
   CoarseFine(const Level& coarse, const Level& fine, int ghosts = kMacGhosts);
 
+  /// Faces or cells of the coarse level under the fine one.
   void average_down(const MacField& fine, MacField& coarse);
   template <class T>
   void average_down(const CellField<T>& fine, CellField<T>& coarse);

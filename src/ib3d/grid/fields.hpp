@@ -23,6 +23,7 @@ inline constexpr int kMacGhosts = 4;
 inline constexpr int kNodeGhosts = 3;
 
 template <class T>
+/// Indices are the level's own, global ones; the box `stored` holds the ghosts too.
 class Array3 {
  public:
   Array3() = default;
@@ -34,6 +35,7 @@ class Array3 {
   {
   }
   const IndexBox& stored() const { return stored_; }
+  /// Place of index (i, j, k) in `data`.
   std::ptrdiff_t offset(int i, int j, int k) const
   {
     return (i - stored_.lo[0]) + (j - stored_.lo[1]) * stride_y_ + (k - stored_.lo[2]) * stride_z_;
@@ -55,6 +57,7 @@ class Array3 {
   std::vector<T> data_;
 };
 
+/// What a patch stores: its cells, the ghosts, and one more at the high end for the faces.
 inline IndexBox stored_box(const IndexBox& cells, int ghosts)
 {
   IndexBox b = cells.grown(ghosts);
@@ -62,6 +65,7 @@ inline IndexBox stored_box(const IndexBox& cells, int ghosts)
   return b;
 }
 
+/// Number p is that of a local patch, as in Level::local.
 template <class T>
 class CellField {
  public:
@@ -162,6 +166,7 @@ template <class T>
 using CompositeCells = std::vector<CellField<T>>;
 using CompositeMac = std::vector<MacField>;
 
+/// Zero everywhere, ghosts included.
 template <class T>
 CompositeCells<T> composite_cells(const Hierarchy& grid)
 {
@@ -170,6 +175,7 @@ CompositeCells<T> composite_cells(const Hierarchy& grid)
   return fields;
 }
 
+/// Zero everywhere, ghosts included.
 inline CompositeMac composite_faces(const Hierarchy& grid)
 {
   CompositeMac fields;

@@ -25,6 +25,7 @@ class Halo {
     return {level, {Centering::x_face, Centering::y_face, Centering::z_face}, ghosts};
   }
 
+  /// Of a halo of the same centering; the field must store at least as many ghosts.
   template <class T>
   void fill(CellField<T>& field) const;
   void fill(MacField& field) const;

@@ -24,6 +24,7 @@ enum class SideKind { wall, open, periodic };
 
 /// Numbering of the six sides: x_lo, x_hi, y_lo, y_hi, z_lo, z_hi.
 inline constexpr int kSideCount = 6;
+/// 0, 1, 2 for x, y, z.
 constexpr int side_direction(int side)
 {
   return side / 2;
@@ -40,6 +41,7 @@ struct Domain {
   bool periodic(int d) const { return sides[static_cast<std::size_t>(2 * d)] == SideKind::periodic; }
 };
 
+/// Cells of its level, and the rank that computes them.
 struct Patch {
   IndexBox box;
   int owner = 0;
@@ -61,6 +63,7 @@ struct Level {
   const IndexBox& local_box(int p) const { return patches[number_of(p)].box; }
   /// Local number of every patch, -1 where it is on another rank.
   std::vector<int> local_numbers() const;
+  /// Of all patches on all ranks.
   long cell_count() const;
   /// Whether the box touches the side of the domain and the side is not periodic.
   bool at_side(const IndexBox& b, int side) const;

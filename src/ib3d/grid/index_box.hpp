@@ -21,6 +21,7 @@ struct IndexBox {
   {
     return c[0] >= lo[0] && c[0] < hi[0] && c[1] >= lo[1] && c[1] < hi[1] && c[2] >= lo[2] && c[2] < hi[2];
   }
+  /// By n cells on all sides.
   IndexBox grown(int n) const
   {
     return {{lo[0] - n, lo[1] - n, lo[2] - n}, {hi[0] + n, hi[1] + n, hi[2] + n}};

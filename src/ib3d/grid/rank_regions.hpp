@@ -21,6 +21,7 @@ struct LevelBoxes {
 
 class RankRegions {
  public:
+  /// `region` is the number of the rank.
   struct Piece {
     IndexBox box;
     int region;

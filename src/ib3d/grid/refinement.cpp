@@ -22,10 +22,16 @@ IndexBox support_of(const Vec3& x, double h, int margin)
   return cells_of({x, x, 0}, h).grown(reach);
 }
 
+/// A distance of n finest cells in whole cells of a level so many levels below, rounded up.
+int cells_of_finest(int n, int levels_below)
+{
+  return (n + (1 << levels_below) - 1) >> levels_below;
+}
+
 }  // namespace
 
 Refinement refine(const Domain& domain, double h, const RefinementPolicy& policy, std::span<const Vec3> nodes,
-                  std::span<const RefinedRegion> tagged)
+                  std::span<const RefinedRegion> moving)
 {
   const Int3 n = coarsest_cells(domain, h, policy.levels);
   Refinement boxes(static_cast<std::size_t>(policy.levels) - 1);
@@ -39,10 +45,11 @@ Refinement refine(const Domain& domain, double h, const RefinementPolicy& policy
       for (const IndexBox& finer : boxes[static_cast<std::size_t>(l)])
         tags.add(finer.coarsened().grown(kNestingBuffer), domain);
     }
-    for (const std::span<const RefinedRegion> regions :
-         {std::span<const RefinedRegion>(policy.regions), tagged})
-      for (const RefinedRegion& r : regions)
-        if (r.level == l) tags.add(cells_of(r, h_l), domain);
+    for (const RefinedRegion& r : policy.regions)
+      if (r.level == l) tags.add(cells_of(r, h_l), domain);
+    const int margin = cells_of_finest(policy.margin_cells, policy.levels - 1 - l);
+    for (const RefinedRegion& r : moving)
+      if (r.level == l) tags.add(cells_of(r, h_l).grown(margin), domain);
     boxes[static_cast<std::size_t>(l) - 1] = cluster(tags);
   }
   return boxes;

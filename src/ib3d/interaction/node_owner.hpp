@@ -21,6 +21,7 @@ class NodeOwner {
   const FiberPart& part() const { return part_; }
   /// Nodes of local patch p are [first()[p], first()[p+1]); first().back() is the number of owned nodes.
   const std::vector<int>& first() const { return first_; }
+  /// Number of nodes of this rank; they come first.
   int owned() const { return part_.owned; }
 
   /// Copies values of owned nodes to the ranks that hold copies; `values` has one entry per local node.

@@ -32,6 +32,7 @@ struct SpreadForce {
 
 class Interaction {
  public:
+  /// On the finest level.
   explicit Interaction(const Level& level) : level_(level), faces_(Halo::for_faces(level, kNodeGhosts)) {}
 
   /// f = S[X] F on the owned faces; what was in `force` is overwritten, ghosts included. Forces on wall faces are lost

@@ -26,6 +26,7 @@ class FileSeries {
   void cut_to(int count);
   /// Adds a file and rewrites the series; IoError if that fails.
   void add(const std::string& name, double time_s);
+  /// In order of time.
   const std::vector<Entry>& entries() const { return entries_; }
 
  private:

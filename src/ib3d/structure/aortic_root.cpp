@@ -14,17 +14,6 @@ namespace valsalva::ib3d {
 
 namespace {
 
-void append_shifted(const std::vector<int>& from, int shift, std::vector<int>& to)
-{
-  for (int node : from) to.push_back(node + shift);
-}
-
-template <class T>
-void append(const std::vector<T>& from, std::vector<T>& to)
-{
-  to.insert(to.end(), from.begin(), from.end());
-}
-
 /// Appends the lattice at positions X, turned about the axis by `number` - 1 thirds.
 void add_leaflet(const LeafletLattice& lattice, const std::vector<Vec3>& X, const RootDimensions& root,
                  int number, double edge_stiffness, AorticRoot& whole)
@@ -37,27 +26,20 @@ void add_leaflet(const LeafletLattice& lattice, const std::vector<Vec3>& X, cons
   for (std::size_t i = 0; i < X.size(); ++i) {
     const Vec3 turned{root.center[0] + c * X[i][0] - s * X[i][1], root.center[1] + s * X[i][0] + c * X[i][1],
                       X[i][2]};
-    if (lattice.on_edge[i] != 0) {
-      network.tethers.node.push_back(network.node_count());
-      network.tethers.stiffness.push_back(edge_stiffness);
-      network.tethers.target.push_back(turned);
-    }
+    if (lattice.on_edge[i] != 0) network.tethers.add(network.node_count(), edge_stiffness, turned);
     network.X.push_back(turned);
   }
-  append_shifted(one.springs.a, first, network.springs.a);
-  append_shifted(one.springs.b, first, network.springs.b);
-  append(one.springs.stiffness, network.springs.stiffness);
-  append(one.springs.rest_length, network.springs.rest_length);
-  append(one.springs.tension_only, network.springs.tension_only);
-  append_shifted(one.beams.x0, first, network.beams.x0);
-  append_shifted(one.beams.x1, first, network.beams.x1);
-  append_shifted(one.beams.x2, first, network.beams.x2);
-  append(one.beams.rigidity, network.beams.rigidity);
-  append(one.beams.l1, network.beams.l1);
-  append(one.beams.l2, network.beams.l2);
+  const Springs& springs = one.springs;
+  for (std::size_t n = 0; n < springs.a.size(); ++n)
+    network.springs.add(first + springs.a[n], first + springs.b[n], springs.stiffness[n],
+                        springs.rest_length[n], springs.tension_only[n] != 0);
+  const Beams& beams = one.beams;
+  for (std::size_t n = 0; n < beams.x0.size(); ++n)
+    network.beams.add({first + beams.x0[n], first + beams.x1[n], first + beams.x2[n]}, beams.rigidity[n],
+                      beams.l1[n], beams.l2[n]);
   network.groups.push_back(NodeGroup{"leaflet " + std::to_string(number), first, network.node_count()});
   network.free_edges.emplace_back();
-  append_shifted(one.free_edges.front(), first, network.free_edges.back());
+  for (int node : one.free_edges.front()) network.free_edges.back().push_back(first + node);
   for (const std::array<int, 3>& t : lattice.triangles)
     whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }

@@ -19,6 +19,7 @@ namespace valsalva::ib3d {
 /// Pressure at which the closed valve is judged, mmHg.
 inline constexpr double kClosedPressure_mmHg = 85.0;
 
+/// The root as a run starts with it, and the shapes its leaflets were designed for.
 struct AorticRoot {
   FiberNetwork network;                       ///< X is the start of the run
   std::vector<std::array<int, 3>> triangles;  ///< the leaflets' surfaces, for areas and pictures

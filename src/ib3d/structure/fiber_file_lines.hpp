@@ -18,8 +18,10 @@ class FiberFileLines {
   double number(std::size_t line, std::size_t column) const { return values_[line][column]; }
   /// The number as an index of one of `node_count` nodes.
   int node(std::size_t line, std::size_t column, int node_count) const;
+  /// The number, which `meaning` names for messages ("a spring's rest length").
   double non_negative(std::size_t line, std::size_t column, const std::string& meaning) const;
 
+  /// Throws CaseError with file and line.
   [[noreturn]] void reject(std::size_t line, const std::string& message) const;
 
  private:

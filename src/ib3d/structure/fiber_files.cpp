@@ -35,7 +35,6 @@ void read_vertices(const std::string& prefix, FiberNetwork& network)
 void read_springs(const std::string& path, FiberNetwork& network)
 {
   const FiberFileLines lines(path, 4, 5, "node node stiffness rest_length [type]");
-  Springs& springs = network.springs;
   for (std::size_t n = 0; n < lines.count(); ++n) {
     const int a = lines.node(n, 0, network.node_count()), b = lines.node(n, 1, network.node_count());
     if (a == b) lines.reject(n, fmt::format("a spring cannot join node {} to itself.", a));
@@ -46,11 +45,7 @@ void read_springs(const std::string& path, FiberNetwork& network)
                          type));
     const double k = lines.non_negative(n, 2, "stiffness");
     const double l0 = std::max(lines.non_negative(n, 3, "rest length"), kZeroRestLength);
-    springs.a.push_back(a);
-    springs.b.push_back(b);
-    springs.stiffness.push_back(k * l0);
-    springs.rest_length.push_back(l0);
-    springs.tension_only.push_back(type == 1.0 ? 1 : 0);
+    network.springs.add(a, b, k * l0, l0, type == 1.0);
   }
 }
 
@@ -69,12 +64,7 @@ void read_beams(const std::string& path, const std::string& lengths_path, FiberN
     const double l =
         0.5 * (norm(network.X[at(i1)] - network.X[at(i0)]) + norm(network.X[at(i2)] - network.X[at(i1)]));
     if (l == 0.0) lines.reject(n, "the three nodes of this beam lie in one point.");
-    beams.x0.push_back(i0);
-    beams.x1.push_back(i1);
-    beams.x2.push_back(i2);
-    beams.rigidity.push_back(k * l * l * l);
-    beams.l1.push_back(l);
-    beams.l2.push_back(l);
+    beams.add({i0, i1, i2}, k * l * l * l, l, l);
   }
   if (!std::filesystem::exists(lengths_path)) return;
   const FiberFileLines lengths(lengths_path, 2, 2, "l1 l2");
@@ -97,9 +87,7 @@ void read_targets(const std::string& path, FiberNetwork& network)
     const int i = lines.node(n, 0, network.node_count());
     if (lines.width(n) > 2 && lines.number(n, 2) != 0.0)
       lines.reject(n, "damping of target points is not supported; leave it out or write 0.");
-    network.tethers.node.push_back(i);
-    network.tethers.stiffness.push_back(lines.non_negative(n, 1, "stiffness"));
-    network.tethers.target.push_back(network.X[at(i)]);
+    network.tethers.add(i, lines.non_negative(n, 1, "stiffness"), network.X[at(i)]);
   }
 }
 

@@ -46,28 +46,21 @@ FiberPart restrict_to(const FiberNetwork& whole, std::span<const int> owned_node
   const Springs& springs = whole.springs;
   for (std::size_t n = 0; n < springs.a.size(); ++n) {
     if (!numbers.owns(springs.a[n]) && !numbers.owns(springs.b[n])) continue;
-    part.network.springs.a.push_back(numbers.number(springs.a[n]));
-    part.network.springs.b.push_back(numbers.number(springs.b[n]));
-    part.network.springs.stiffness.push_back(springs.stiffness[n]);
-    part.network.springs.rest_length.push_back(springs.rest_length[n]);
-    part.network.springs.tension_only.push_back(springs.tension_only[n]);
+    const int a = numbers.number(springs.a[n]), b = numbers.number(springs.b[n]);
+    part.network.springs.add(a, b, springs.stiffness[n], springs.rest_length[n],
+                             springs.tension_only[n] != 0);
   }
   const Beams& beams = whole.beams;
   for (std::size_t n = 0; n < beams.x0.size(); ++n) {
     if (!numbers.owns(beams.x0[n]) && !numbers.owns(beams.x1[n]) && !numbers.owns(beams.x2[n])) continue;
-    part.network.beams.x0.push_back(numbers.number(beams.x0[n]));
-    part.network.beams.x1.push_back(numbers.number(beams.x1[n]));
-    part.network.beams.x2.push_back(numbers.number(beams.x2[n]));
-    part.network.beams.rigidity.push_back(beams.rigidity[n]);
-    part.network.beams.l1.push_back(beams.l1[n]);
-    part.network.beams.l2.push_back(beams.l2[n]);
+    part.network.beams.add(
+        {numbers.number(beams.x0[n]), numbers.number(beams.x1[n]), numbers.number(beams.x2[n])},
+        beams.rigidity[n], beams.l1[n], beams.l2[n]);
   }
   const Tethers& tethers = whole.tethers;
   for (std::size_t n = 0; n < tethers.node.size(); ++n) {
     if (!numbers.owns(tethers.node[n])) continue;
-    part.network.tethers.node.push_back(numbers.number(tethers.node[n]));
-    part.network.tethers.stiffness.push_back(tethers.stiffness[n]);
-    part.network.tethers.target.push_back(tethers.target[n]);
+    part.network.tethers.add(numbers.number(tethers.node[n]), tethers.stiffness[n], tethers.target[n]);
   }
   part.global = numbers.take_global();
   part.network.X.reserve(part.global.size());

@@ -7,6 +7,7 @@
 // The same type serves the whole structure (replicated) and one rank's part of it (`FiberPart`).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -16,23 +17,49 @@
 
 namespace valsalva::ib3d {
 
+/// One entry per spring: node numbers, dyn, cm.
 struct Springs {
   std::vector<int> a, b;
   std::vector<double> stiffness, rest_length;
   std::vector<std::uint8_t> tension_only;
+  void add(int from, int to, double k, double l0, bool pulls_only)
+  {
+    a.push_back(from);
+    b.push_back(to);
+    stiffness.push_back(k);
+    rest_length.push_back(l0);
+    tension_only.push_back(pulls_only ? 1 : 0);
+  }
   int count() const { return static_cast<int>(a.size()); }
 };
 
+/// One entry per beam: node numbers, x1 in the middle; dyn cm^2, cm.
 struct Beams {
   std::vector<int> x0, x1, x2;
   std::vector<double> rigidity, l1, l2;
+  void add(const std::array<int, 3>& nodes, double c, double length_before, double length_after)
+  {
+    x0.push_back(nodes[0]);
+    x1.push_back(nodes[1]);
+    x2.push_back(nodes[2]);
+    rigidity.push_back(c);
+    l1.push_back(length_before);
+    l2.push_back(length_after);
+  }
   int count() const { return static_cast<int>(x0.size()); }
 };
 
+/// One entry per tether: node number, dyn/cm, cm.
 struct Tethers {
   std::vector<int> node;
   std::vector<double> stiffness;
   std::vector<Vec3> target;
+  void add(int held, double k, const Vec3& at)
+  {
+    node.push_back(held);
+    stiffness.push_back(k);
+    target.push_back(at);
+  }
   int count() const { return static_cast<int>(node.size()); }
 };
 
@@ -42,6 +69,7 @@ struct NodeGroup {
   int first = 0, last = 0;
 };
 
+/// The whole structure, or one rank's part of it.
 struct FiberNetwork {
   std::vector<Vec3> X;  ///< node positions at the start, cm
   Springs springs;

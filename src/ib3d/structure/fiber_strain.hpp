@@ -12,6 +12,7 @@ namespace valsalva::ib3d {
 /// Which springs of a group: in a leaflet the circumferential family is tension-only, the radial two-sided.
 enum class SpringFamily { all, tension_only, two_sided };
 
+/// l/l0 - 1.
 struct Strain {
   double mean = 0.0;
   double largest = 0.0;

@@ -51,11 +51,7 @@ void fuse_leaflets(const LeafletLattice& leaflet, int first_node, const LeafletL
     const int other = first_node_of_next + node_at(next, -leaflet.s[i], leaflet.z[i]);
     const double distance =
         norm(network.X[static_cast<std::size_t>(own)] - network.X[static_cast<std::size_t>(other)]);
-    network.springs.a.push_back(own);
-    network.springs.b.push_back(other);
-    network.springs.stiffness.push_back(k * distance);
-    network.springs.rest_length.push_back(distance);
-    network.springs.tension_only.push_back(0);
+    network.springs.add(own, other, k * distance, distance, false);
   }
 }
 

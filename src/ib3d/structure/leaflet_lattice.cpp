@@ -109,24 +109,14 @@ class LatticeBuilder {
   void add_fiber(const std::vector<int>& line, double width, double stiffness, double bending,
                  double rest_ratio, bool tension_only)
   {
-    Springs& springs = lattice_.network.springs;
-    Beams& beams = lattice_.network.beams;
-    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-      springs.a.push_back(line[k]);
-      springs.b.push_back(line[k + 1]);
-      springs.stiffness.push_back(stiffness * width);
-      springs.rest_length.push_back(rest_ratio * distance(line[k], line[k + 1]));
-      springs.tension_only.push_back(tension_only ? 1 : 0);
-    }
+    for (std::size_t k = 0; k + 1 < line.size(); ++k)
+      lattice_.network.springs.add(line[k], line[k + 1], stiffness * width,
+                                   rest_ratio * distance(line[k], line[k + 1]), tension_only);
     if (bending == 0.0) return;
-    for (std::size_t k = 0; k + 2 < line.size(); ++k) {
-      beams.x0.push_back(line[k]);
-      beams.x1.push_back(line[k + 1]);
-      beams.x2.push_back(line[k + 2]);
-      beams.rigidity.push_back(bending * width);
-      beams.l1.push_back(rest_ratio * distance(line[k], line[k + 1]));
-      beams.l2.push_back(rest_ratio * distance(line[k + 1], line[k + 2]));
-    }
+    for (std::size_t k = 0; k + 2 < line.size(); ++k)
+      lattice_.network.beams.add({line[k], line[k + 1], line[k + 2]}, bending * width,
+                                 rest_ratio * distance(line[k], line[k + 1]),
+                                 rest_ratio * distance(line[k + 1], line[k + 2]));
   }
   void add_rows()
   {

@@ -109,11 +109,8 @@ void add_wall(const RootDimensions& root, const WallMaterial& material, double h
     const double offset = 0.5 * h * n;
     const WallLayer layer = wall_layer(root, h, offset, material.node_spacing_ratio * h);
     const int first = network.node_count();
-    for (std::size_t i = 0; i < layer.X.size(); ++i) {
-      network.tethers.node.push_back(first + static_cast<int>(i));
-      network.tethers.stiffness.push_back(material.tether_stiffness * layer.area[i]);
-      network.tethers.target.push_back(layer.X[i]);
-    }
+    for (std::size_t i = 0; i < layer.X.size(); ++i)
+      network.tethers.add(first + static_cast<int>(i), material.tether_stiffness * layer.area[i], layer.X[i]);
     network.X.insert(network.X.end(), layer.X.begin(), layer.X.end());
     network.groups.push_back(NodeGroup{"wall " + std::to_string(n + 1), first, network.node_count()});
   }

@@ -182,7 +182,8 @@ TEST(SpreadInterpolate, AForceLiesInItsBoxAndLeavesNothingOfTheOneBefore)
     for (Vec3& X : high.X) X += Vec3{0.7, 0.4, 1.5};
     Exchange x(level, low);
     const Exchange fresh(level, high);
-    for (const SpreadForce* force : std::initializer_list<const SpreadForce*>{&x.force, &fresh.force}) {
+    const SpreadForce* const forces[] = {&x.force, &fresh.force};
+    for (const SpreadForce* force : forces) {
       MacField outside = force->f;
       outside.set_zero(force->where);
       EXPECT_TRUE(same(outside, MacField(level)));

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "common/error.hpp"
+#include "complaint.hpp"
 #include "ib3d/structure/fiber_force.hpp"
 #include "random_network.hpp"
 
@@ -27,14 +27,9 @@ class FiberFiles : public ::testing::Test {
   void write(const std::string& ending, const std::string& text) { std::ofstream(prefix_ + ending) << text; }
 
   /// The message that reading ends with.
-  std::string complaint()
+  std::string refusal() const
   {
-    try {
-      read_fiber_files(prefix_);
-    } catch (const CaseError& error) {
-      return error.what();
-    }
-    return "read without complaint";
+    return complaint([&] { read_fiber_files(prefix_); });
   }
 
   std::filesystem::path folder_;
@@ -139,7 +134,7 @@ TEST_F(FiberFiles, ComplainsWithFileLineAndReason)
     write(".vertex", good);
     for (const char* ending : {".spring", ".beam", ".target"}) std::filesystem::remove(prefix_ + ending);
     write(bad.ending, bad.text);
-    EXPECT_NE(complaint().find(bad.expected), std::string::npos) << "got: " << complaint();
+    EXPECT_NE(refusal().find(bad.expected), std::string::npos) << "got: " << refusal();
   }
 }
 
@@ -148,7 +143,7 @@ TEST_F(FiberFiles, EveryWrongFileIsNamedAtOnce)
   write(".vertex", "2\n0 0 0\n1 0 0\n");
   write(".spring", "1\n0 9 1 1\n");
   write(".target", "1\n9 1\n");
-  const std::string message = complaint();
+  const std::string message = refusal();
   EXPECT_NE(message.find("net.spring:2"), std::string::npos);
   EXPECT_NE(message.find("net.target:2"), std::string::npos);
 }

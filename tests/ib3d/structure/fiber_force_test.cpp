@@ -141,12 +141,8 @@ FiberNetwork uneven_fiber(Curve at, int nodes, double end)
   }
   for (int n = 1; n + 1 < nodes; ++n) {
     const auto i = static_cast<std::size_t>(n);
-    network.beams.x0.push_back(n - 1);
-    network.beams.x1.push_back(n);
-    network.beams.x2.push_back(n + 1);
-    network.beams.rigidity.push_back(1.0);
-    network.beams.l1.push_back(norm(network.X[i] - network.X[i - 1]));
-    network.beams.l2.push_back(norm(network.X[i + 1] - network.X[i]));
+    network.beams.add({n - 1, n, n + 1}, 1.0, norm(network.X[i] - network.X[i - 1]),
+                      norm(network.X[i + 1] - network.X[i]));
   }
   return network;
 }

@@ -56,13 +56,7 @@ TEST(RestrictTo, LeavesOutWhatDoesNotTouchTheOwnedNodes)
 {
   FiberNetwork chain;
   for (int n = 0; n < 10; ++n) chain.X.push_back({static_cast<double>(n), 0.0, 0.0});
-  for (int n = 0; n < 9; ++n) {
-    chain.springs.a.push_back(n);
-    chain.springs.b.push_back(n + 1);
-    chain.springs.stiffness.push_back(1.0);
-    chain.springs.rest_length.push_back(0.5);
-    chain.springs.tension_only.push_back(0);
-  }
+  for (int n = 0; n < 9; ++n) chain.springs.add(n, n + 1, 1.0, 0.5, false);
   const std::vector<int> owned{4};
   const FiberPart part = restrict_to(chain, owned);
   EXPECT_EQ(part.network.springs.count(), 2);

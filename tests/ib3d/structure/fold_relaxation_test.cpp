@@ -14,12 +14,7 @@ constexpr double kSpacing = 0.05, kTime = 5e-4;
 
 void add_beam(FiberNetwork& network, int x0, int x1, int x2, double rigidity)
 {
-  network.beams.x0.push_back(x0);
-  network.beams.x1.push_back(x1);
-  network.beams.x2.push_back(x2);
-  network.beams.rigidity.push_back(rigidity);
-  network.beams.l1.push_back(kSpacing);
-  network.beams.l2.push_back(kSpacing);
+  network.beams.add({x0, x1, x2}, rigidity, kSpacing, kSpacing);
 }
 
 /// An even lattice in the plane z = 0, rows first, columns of another rigidity.

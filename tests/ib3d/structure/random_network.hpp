@@ -27,25 +27,15 @@ inline FiberNetwork random_network(int nodes, unsigned seed)
   network.X = random_vectors(nodes, seed + 1);
   for (int n = 0; n < 4 * nodes; ++n) {
     const int a = node(generator), b = (a + 1 + n % (nodes - 1)) % nodes;
-    network.springs.a.push_back(a);
-    network.springs.b.push_back(b);
-    network.springs.stiffness.push_back(uniform(generator));
-    network.springs.rest_length.push_back(uniform(generator));
-    network.springs.tension_only.push_back(n % 2 == 0 ? 1 : 0);
+    const double stiffness = uniform(generator), rest_length = uniform(generator);
+    network.springs.add(a, b, stiffness, rest_length, n % 2 == 0);
   }
   for (int n = 0; n < nodes; ++n) {
-    network.beams.x0.push_back(n);
-    network.beams.x1.push_back((n + 1) % nodes);
-    network.beams.x2.push_back((n + 2) % nodes);
-    network.beams.rigidity.push_back(uniform(generator));
-    network.beams.l1.push_back(uniform(generator));
-    network.beams.l2.push_back(uniform(generator));
+    const double rigidity = uniform(generator), l1 = uniform(generator), l2 = uniform(generator);
+    network.beams.add({n, (n + 1) % nodes, (n + 2) % nodes}, rigidity, l1, l2);
   }
-  for (int n = 0; n < nodes; n += 2) {
-    network.tethers.node.push_back(n);
-    network.tethers.stiffness.push_back(uniform(generator));
-    network.tethers.target.push_back(random_vectors(1, seed + 2 + static_cast<unsigned>(n))[0]);
-  }
+  for (int n = 0; n < nodes; n += 2)
+    network.tethers.add(n, uniform(generator), random_vectors(1, seed + 2 + static_cast<unsigned>(n))[0]);
   return network;
 }
 

@@ -24,11 +24,7 @@ FiberNetwork ring(const Vec3& centre)
   for (int i = 0; i < n; ++i) {
     const double a = 2 * M_PI * i / n;
     network.X.push_back(centre + Vec3{0.4 * std::cos(a), 0.25 * std::sin(a), 0.1 * std::cos(a)});
-    network.springs.a.push_back(i);
-    network.springs.b.push_back((i + 1) % n);
-    network.springs.stiffness.push_back(30);
-    network.springs.rest_length.push_back(0.02);
-    network.springs.tension_only.push_back(0);
+    network.springs.add(i, (i + 1) % n, 30, 0.02, false);
   }
   return network;
 }
@@ -95,12 +91,8 @@ FiberNetwork sphere(const Vec3& centre, double radius)
                           radius * Vec3{std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b)});
     }
   const auto join = [&](int a, int b) {
-    network.springs.a.push_back(a);
-    network.springs.b.push_back(b);
-    network.springs.stiffness.push_back(10);
-    network.springs.rest_length.push_back(
-        0.5 * norm(network.X[static_cast<std::size_t>(a)] - network.X[static_cast<std::size_t>(b)]));
-    network.springs.tension_only.push_back(0);
+    const Vec3 apart = network.X[static_cast<std::size_t>(a)] - network.X[static_cast<std::size_t>(b)];
+    network.springs.add(a, b, 10, 0.5 * norm(apart), false);
   };
   for (int j = 0; j < parallels; ++j)
     for (int i = 0; i < meridians; ++i) {
