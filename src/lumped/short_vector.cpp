@@ -30,6 +30,20 @@ struct Arithmetic {
     for (sunindextype i = 0; i < count(x_vector); ++i) z[i] = factor * x[i];
   }
 
+  /// z_k = a_k x + y_k
+  static int scale_and_add(int terms, double* a, N_Vector x, N_Vector* y, N_Vector* z)
+  {
+    for (int k = 0; k < terms; ++k) linear_sum(a[k], x, 1.0, y[k], z[k]);
+    return 0;
+  }
+
+  /// z_k = a_k x_k
+  static int scale_each(int terms, double* a, N_Vector* x, N_Vector* z)
+  {
+    for (int k = 0; k < terms; ++k) scale(a[k], x[k], z[k]);
+    return 0;
+  }
+
   static void fill(double value, N_Vector z_vector)
   {
     double* z = NV_DATA_S(z_vector);
@@ -67,6 +81,8 @@ struct Arithmetic {
     N_Vector_Ops ops = vector->ops;
     ops->nvlinearsum = linear_sum;
     ops->nvscale = scale;
+    ops->nvscaleaddmulti = scale_and_add;
+    ops->nvscalevectorarray = scale_each;
     ops->nvconst = fill;
     ops->nvabs = absolute;
     ops->nvinv = invert;
