@@ -54,10 +54,17 @@ Scalar Chamber<Scalar>::onset(double piece) const
 }
 
 template <class Scalar>
+const Scalar& Chamber<Scalar>::elastance(Instant now) const
+{
+  if (now.t != known_.at.t || now.piece != known_.at.piece)
+    known_ = {now, Emin_ + (Emax_ - Emin_) * activation_.value(now.t - onset(now.piece))};
+  return known_.E;
+}
+
+template <class Scalar>
 Scalar Chamber<Scalar>::elastic_pressure(Instant now, const Scalar& V) const
 {
-  const Scalar e = activation_.value(now.t - onset(now.piece));
-  return (Emin_ + (Emax_ - Emin_) * e) * (V - V0_);
+  return elastance(now) * (V - V0_);
 }
 
 template <class Scalar>

@@ -38,9 +38,18 @@ class Chamber final : public Element<Scalar> {
   /// The contraction under way at `piece` began here.
   Scalar onset(double piece) const;
   Scalar elastic_pressure(Instant now, const Scalar& V) const;
+  /// E(t), mmHg/ml.
+  const Scalar& elastance(Instant now) const;
 
   Scalar Emax_, Emin_, V0_, initial_volume_, R_, period_s_, onset_s_;
   Activation<Scalar> activation_;
+
+  /// The last answer of `elastance`: CVODE evaluates its equations several times at one instant.
+  struct Known {
+    Instant at;
+    Scalar E;
+  };
+  mutable Known known_{{-1.0, std::numeric_limits<double>::quiet_NaN()}, 0.0};
 };
 
 ElementType chamber_type();

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "common/error.hpp"
+#include "lumped/short_vector.hpp"
 
 namespace valsalva::lumped {
 
@@ -34,8 +35,8 @@ CvodeMemory::CvodeMemory(std::vector<double> scale, std::vector<double> directio
   SUNContext context = nullptr;
   require(SUNContext_Create(nullptr, &context) == 0, "SUNContext_Create");
   context_.reset(context);
-  y_.reset(N_VNew_Serial(count, context));
-  absolute_tolerance_.reset(N_VNew_Serial(count, context));
+  y_.reset(new_short_vector(count, context));
+  absolute_tolerance_.reset(new_short_vector(count, context));
   cvode_.reset(CVodeCreate(CV_ADAMS, context));
   require(y_ && absolute_tolerance_ && cvode_, "CVodeCreate");
   N_VConst(0.0, y_.get());
