@@ -59,7 +59,8 @@ TEST(MarkerSeeds, WithoutAnAorticRootADiscIsAsWideAsTheNarrowestOpening)
   const CaseFile c = root_case({"structure.kind=\"none\"", "markers.aorta.z_cm=[7.0]",
                                 "markers.aorta.spacing_cm=0.05", "opening.inlet.radius_cm=0.8"});
   double furthest = 0;
-  for (const Vec3& X : seeds_of(c, 0.1)[1].points)
+  const std::vector<ib3d::MarkerSeed> seeds = seeds_of(c, 0.1);
+  for (const Vec3& X : seeds.at(1).points)
     furthest = std::max(furthest, std::hypot(X[0] - 2.5, X[1] - 2.5));
   EXPECT_NEAR(furthest, 0.8, 0.051);
 }
