@@ -76,36 +76,21 @@ inline void expand_row(double* __restrict fine, const double* __restrict m, bool
   }
 }
 
-/// Coarse rows are mixed in this many values at least, a fixed number for the compiler: beyond the sides along x rows of
-/// ghosts are short, and many.
-constexpr int kShortRow = 8;
-
 /// One direction after the other: z into a plane of coarse rows, y into a row, x.
 void interpolate_box(const Array3<double>& coarse, Array3<double>& fine, const IndexBox& box, int component)
 {
-  IndexBox from = footprint(box, component);
-  const bool is_short = from.size(0) <= kShortRow && coarse.stored().size(0) >= kShortRow;
-  if (is_short) {
-    from.lo[0] = std::min(from.lo[0], coarse.stored().hi[0] - kShortRow);
-    from.hi[0] = from.lo[0] + kShortRow;
-  }
+  const IndexBox from = footprint(box, component);
   const int n = from.size(0), rows = from.size(1);
-  const auto mix = [&](double* sum, const double* first, std::ptrdiff_t step, const Taps& taps) {
-    if (is_short)
-      mix_rows(sum, first, step, taps, kShortRow);
-    else
-      mix_rows(sum, first, step, taps, n);
-  };
   std::vector<double> plane(static_cast<std::size_t>(n) * static_cast<std::size_t>(rows)),
       row(static_cast<std::size_t>(n));
   for (int k = box.lo[2]; k < box.hi[2]; ++k) {
     const Taps z = taps_of(component == 2, k);
     for (int j = 0; j < rows; ++j)
-      mix(plane.data() + static_cast<std::ptrdiff_t>(j) * n, coarse.at(from.lo[0], from.lo[1] + j, z.first),
-          coarse.stride(2), z);
+      mix_rows(plane.data() + static_cast<std::ptrdiff_t>(j) * n,
+               coarse.at(from.lo[0], from.lo[1] + j, z.first), coarse.stride(2), z, n);
     for (int j = box.lo[1]; j < box.hi[1]; ++j) {
       const Taps y = taps_of(component == 1, j);
-      mix(row.data(), plane.data() + static_cast<std::ptrdiff_t>(y.first - from.lo[1]) * n, n, y);
+      mix_rows(row.data(), plane.data() + static_cast<std::ptrdiff_t>(y.first - from.lo[1]) * n, n, y, n);
       expand_row(fine.at(box.lo[0], j, k), row.data() - from.lo[0], component == 0, box.lo[0], box.hi[0]);
     }
   }
