@@ -78,7 +78,7 @@ void RootSolver::begin_step(double dt)
     interaction_.spread(nodes_.first(), *forced_at, F_, f_);
   }
   const auto scope = timers_.time("momentum");
-  fluid_->begin_step({&f_.f, f_.where}, dt, keep_convection(dt));
+  fluid_->begin_step(f_, dt, keep_convection(dt));
 }
 
 bool RootSolver::keep_convection(double dt)
@@ -182,7 +182,7 @@ void RootSolver::rebuild(const Refinement& boxes, const std::vector<Vec3>& X)
   interaction_ = Interaction(grid.finest());
   elastic_ = ElasticBound(grid.finest(), fluid_->fluid().density);
   steps_since_elastic_ = 0;
-  f_ = SpreadForce(grid.finest());
+  f_ = MacField(grid.finest());
   X_ = nodes_.part().network.X;
   X_of_cuts_ = X_of_grid_ = X;
   markers_.settle(grid);

@@ -59,6 +59,7 @@ class RootSolver {
  private:
   /// Whether convection is left as it was found before, in a step of this length.
   bool keep_convection(double dt);
+  /// After nodes of this rank have moved by at most `moved_cells`.
   /// After nodes of this rank have moved by at most `moved_cells` along any direction.
   void check_and_redistribute(double moved_cells);
   void regrid_if_moved();
@@ -77,13 +78,14 @@ class RootSolver {
   Interaction interaction_;
   ElasticBound elastic_;
   Markers markers_;
-  SpreadForce f_;
+  MacField f_;
   std::vector<Vec3> X_, X_middle_, U_, U_before_, F_;
   double dt_ = 0, courant_rate_ = 0;
   std::vector<Vec3> X_of_cuts_;  ///< all nodes where the ranks' regions were chosen
   std::vector<Vec3> X_of_grid_;  ///< all nodes where the grid was last found to fit them
   double moved_cells_ = 0;       ///< bound of how far anything tagged has moved since
-  double room_cells_ = 0;        ///< nodes of this rank may move so far before one can be a stray
+  double room_cells_ =
+      0;  ///< how far nodes of this rank may surely move before one is too far out of its patch
   int steps_since_elastic_ = 0;
   int steps_since_convection_ = 0;
   double cfl_since_convection_ = 0;

@@ -26,11 +26,11 @@ double ElasticBound::update(const NodeOwner& nodes, const Interaction& interacti
     nodes.fill_copies(v_);
     fiber_stiffness_times(part.network, X, v_, stiff_, SlackSprings::just_taut);
     interaction.spread(nodes.first(), X, stiff_, f_);
-    interaction.fill_ghosts(f_.f);
+    interaction.fill_ghosts(f_);
     double sums[2] = {0, 0};
     for (int n = 0; n < nodes.owned(); ++n)
       sums[0] += dot(v_[static_cast<std::size_t>(n)], v_[static_cast<std::size_t>(n)]);
-    interaction.interpolate(nodes.first(), X, f_.f, v_);
+    interaction.interpolate(nodes.first(), X, f_, v_);
     for (int n = 0; n < nodes.owned(); ++n)
       sums[1] += dot(v_[static_cast<std::size_t>(n)], v_[static_cast<std::size_t>(n)]);
     MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, level_.comm);

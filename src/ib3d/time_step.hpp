@@ -48,7 +48,7 @@ class ElasticBound {
  private:
   Level level_;
   double density_;
-  SpreadForce f_;
+  MacField f_;
   std::vector<Vec3> v_, stiff_;
   bool started_ = false;  ///< the same on all ranks
   double omega_ = 0;

@@ -1,6 +1,6 @@
 #include "ib3d/fluid/momentum.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "ib3d/fluid/advection.hpp"
@@ -17,17 +17,6 @@ MomentumWeights weights_of(const Level& level, const FluidParameters& fluid, dou
   return {-1 / level.h, half ? 0.0 : diffusion, dt * (1 - w1), dt * w1, half ? 0.5 * dt * diffusion : 0.0};
 }
 
-/// out += a f on the row of n faces from `at`.
-inline void add_force(double* out, const Force& force, double a, int patch, int component, const Int3& at,
-                      int n)
-{
-  const auto& [lo, hi] = force.where;
-  if (force.f == nullptr || at[1] < lo[1] || at[1] >= hi[1] || at[2] < lo[2] || at[2] >= hi[2]) return;
-  const int begin = std::max(at[0], lo[0]), end = std::min(at[0] + n, hi[0]);
-  if (begin < end)
-    add_row(out + (begin - at[0]), (*force.f)(patch, component).at(begin, at[1], at[2]), a, end - begin);
-}
-
 }  // namespace
 
 void Rates::renew()
@@ -37,7 +26,7 @@ void Rates::renew()
   age = 0;
 }
 
-void advance_momentum(const Level& level, const FluidParameters& fluid, const MacField& u, const Force& f,
+void advance_momentum(const Level& level, const FluidParameters& fluid, const MacField& u, const MacField* f,
                       double dt, double w1, MacField& rate, const MacField& rate_before, MacField& u_star)
 {
   const MomentumWeights weights = weights_of(level, fluid, dt, w1);
@@ -51,14 +40,14 @@ void advance_momentum(const Level& level, const FluidParameters& fluid, const Ma
         double* out = u_star(p, c).at(i, j, k);
         momentum_row(out, rate(p, c).at(i, j, k), rate_before(p, c).at(i, j, k), u(p, c).at(i, j, k), div,
                      weights, sy, sz, box.size(0));
-        add_force(out, f, force, p, c, {i, j, k}, box.size(0));
+        if (f != nullptr) add_row(out, (*f)(p, c).at(i, j, k), force, box.size(0));
       };
       for_each_convected_row(fluid.advection, {&u(p, 0), &u(p, 1), &u(p, 2)}, c, box, advance);
     }
 }
 
 void advance_momentum_kept(const Level& level, const FluidParameters& fluid, const MacField& u,
-                           const Force& f, double dt, double w1, const MacField& rate,
+                           const MacField* f, double dt, double w1, const MacField& rate,
                            const MacField& rate_before, MacField& u_star)
 {
   const MomentumWeights weights = weights_of(level, fluid, dt, w1);
@@ -67,7 +56,7 @@ void advance_momentum_kept(const Level& level, const FluidParameters& fluid, con
     double* out = u_star(p, c).at(i, j, k);
     kept_momentum_row(out, rate(p, c).at(i, j, k), rate_before(p, c).at(i, j, k), u(p, c).at(i, j, k),
                       weights, u(p, c).stride(1), u(p, c).stride(2), n);
-    add_force(out, f, force, p, c, {i, j, k}, n);
+    if (f != nullptr) add_row(out, (*f)(p, c).at(i, j, k), force, n);
   });
 }
 

@@ -36,22 +36,13 @@ struct Rates {
   double weight_before(double dt) const { return gap > 0 ? -(age + 0.5 * dt) / gap : 0.0; }
 };
 
-/// Where a force may differ from zero; it is not read elsewhere.
-inline constexpr IndexBox kEverywhere{{-(1 << 28), -(1 << 28), -(1 << 28)}, {1 << 28, 1 << 28, 1 << 28}};
-
-/// A force density, dyn/cm^3, on the faces of a level: none if f is null.
-struct Force {
-  const MacField* f = nullptr;
-  IndexBox where = kEverywhere;
-};
-
 /// Writes u* (on all faces of the local patches, boundary faces included) and G of u into `rate`. u: cm/s with ghosts
-/// filled; f on the same faces; w1 as above.
-void advance_momentum(const Level& level, const FluidParameters& fluid, const MacField& u, const Force& f,
+/// filled; f: force density, dyn/cm^3, on the same faces, or null; w1 as above.
+void advance_momentum(const Level& level, const FluidParameters& fluid, const MacField& u, const MacField* f,
                       double dt, double w1, MacField& rate, const MacField& rate_before, MacField& u_star);
 /// The same with the rates as they are: no convection is evaluated.
 void advance_momentum_kept(const Level& level, const FluidParameters& fluid, const MacField& u,
-                           const Force& f, double dt, double w1, const MacField& rate,
+                           const MacField* f, double dt, double w1, const MacField& rate,
                            const MacField& rate_before, MacField& u_star);
 
 /// The largest step for which the explicit viscous term is used, 6 mu dt/(rho h^2) < 0.5 (s); infinite for the implicit

@@ -133,21 +133,21 @@ std::vector<double> NavierStokes::kinetic_outflow() const
   });
 }
 
-void NavierStokes::begin_step(const Force& f, double dt, bool keep_rates)
+void NavierStokes::begin_step(const MacField& f, double dt, bool keep_rates)
 {
-  std::vector<Force> force(u_.size());
-  force.back() = f;
+  std::vector<const MacField*> force(u_.size(), nullptr);
+  force.back() = &f;
   advance_velocity(force, dt, keep_rates);
 }
 
 void NavierStokes::begin_step(const CompositeMac& f, double dt, bool keep_rates)
 {
-  std::vector<Force> force;
-  for (const MacField& level : f) force.push_back({&level});
+  std::vector<const MacField*> force;
+  for (const MacField& level : f) force.push_back(&level);
   advance_velocity(force, dt, keep_rates);
 }
 
-void NavierStokes::advance_velocity(const std::vector<Force>& f, double dt, bool keep_rates)
+void NavierStokes::advance_velocity(const std::vector<const MacField*>& f, double dt, bool keep_rates)
 {
   dt_before_ = dt_;
   dt_ = dt;

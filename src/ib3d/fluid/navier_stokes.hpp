@@ -29,11 +29,10 @@ class NavierStokes {
   NavierStokes(const NavierStokes&) = delete;  // its members refer to each other
   NavierStokes& operator=(const NavierStokes&) = delete;
 
-  /// u* from u^n; f in dyn/cm^3 on the faces of the finest level, complete on the owned ones; none on the other levels.
+  /// u* from u^n; f in dyn/cm^3 on the faces of the finest level, complete on the owned ones; none on the others.
   /// keep_rates: convection and explicit viscosity are extrapolated from where they were found before instead of being
   /// found at t^n (not in the first step after set_velocity).
-  void begin_step(const Force& f, double dt, bool keep_rates = false);
-  void begin_step(const MacField& f, double dt) { begin_step(Force{&f}, dt); }
+  void begin_step(const MacField& f, double dt, bool keep_rates = false);
   /// The same with a force on all levels.
   void begin_step(const CompositeMac& f, double dt, bool keep_rates = false);
   /// Solves for p with these mean opening pressures (dyn/cm^2, one per opening) and returns the flows (ml/s,
@@ -70,7 +69,7 @@ class NavierStokes {
   void save_or_restore(Checkpoint& c);
 
  private:
-  void advance_velocity(const std::vector<Force>& f, double dt, bool keep_rates);
+  void advance_velocity(const std::vector<const MacField*>& f, double dt, bool keep_rates);
   void prescribe(const std::vector<double>& opening_pressure);
   void diffuse();
   /// u_new_ -= (dt/rho) grad p.

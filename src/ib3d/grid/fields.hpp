@@ -9,7 +9,6 @@
 // is none.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -101,16 +100,9 @@ class MacField {
   /// Component d on local patch p.
   Array3<double>& operator()(int p, int d) { return component_[static_cast<std::size_t>(d)][p]; }
   const Array3<double>& operator()(int p, int d) const { return component_[static_cast<std::size_t>(d)][p]; }
-  /// On the faces in the box only.
-  void set_zero(const IndexBox& box)
+  void set_zero()
   {
-    for (auto& field : component_)
-      for (int p = 0; p < patch_count(); ++p) {
-        const IndexBox part = intersect(box, field[p].stored());
-        if (part.empty()) continue;
-        for_each_row(part,
-                     [&](int j, int k) { std::fill_n(field[p].at(part.lo[0], j, k), part.size(0), 0.0); });
-      }
+    for (auto& c : component_) c.set_zero();
   }
 
  private:

@@ -184,87 +184,41 @@ struct MirroredSupport {
   return value;
 }
 
-/// Extends the box by the lattice points of these supports.
-inline void extend(IndexBox& box, const Supports& s, int count)
-{
-  for (int l = 0; l < kLattices; ++l) {
-    int lowest = s.start[l][0], highest = lowest;
-    for (int m = 1; m < count; ++m) {
-      lowest = std::min(lowest, s.start[l][m]);
-      highest = std::max(highest, s.start[l][m]);
-    }
-    const auto d = static_cast<std::size_t>(l % 3);
-    box.lo[d] = std::min(box.lo[d], lowest);
-    box.hi[d] = std::max(box.hi[d], highest + kDeltaWidth);
-  }
-}
-
-/// Calls act(node, support) for the nodes first <= n < last; extends `reached` by their supports if it is given.
+/// Calls act(node, support) for the nodes first <= n < last.
 template <class Act>
-inline void for_each_support(int first, int last, std::span<const Vec3> X, double inverse_h, Act&& act,
-                             IndexBox* reached = nullptr)
+inline void for_each_support(int first, int last, std::span<const Vec3> X, double inverse_h, Act&& act)
 {
   Supports block;
   for (int n = first; n < last; n += kBlock) {
     const int count = std::min(kBlock, last - n);
     find_supports(X.data() + n, count, inverse_h, block);
-    if (reached != nullptr) extend(*reached, block, count);
     for (int m = 0; m < count; ++m) act(static_cast<std::size_t>(n + m), Support(block, m));
   }
 }
 
 }  // namespace
 
-IndexBox Interaction::reached_by_all(const IndexBox& reached) const
-{
-  int ends[6];
-  for (std::size_t d = 0; d < 3; ++d) {
-    ends[d] = -reached.lo[d];
-    ends[d + 3] = reached.hi[d];
-  }
-  MPI_Allreduce(MPI_IN_PLACE, ends, 6, MPI_INT, MPI_MAX, level_.comm);
-  IndexBox all;
-  for (std::size_t d = 0; d < 3; ++d) {
-    all.lo[d] = -ends[d] - kDeltaWidth / 2;  // that far inside lie the images of points beyond a side
-    all.hi[d] = ends[d + 3] + kDeltaWidth / 2;
-    const int lo = level_.box.lo[d], hi = level_.box.hi[d];
-    if (!level_.domain.periodic(static_cast<int>(d))) {
-      all.lo[d] = std::max(all.lo[d], lo);
-      all.hi[d] = std::min(all.hi[d], hi + 1);
-    } else if (all.lo[d] < lo || all.hi[d] > hi) {
-      all.lo[d] = lo - kMacGhosts;
-      all.hi[d] = hi + 1 + kMacGhosts;
-    }
-  }
-  return all;
-}
-
 void Interaction::spread(std::span<const int> first, std::span<const Vec3> X, std::span<const Vec3> F,
-                         SpreadForce& force) const
+                         MacField& f) const
 {
-  MacField& f = force.f;
   const double inverse_h = 1 / level_.h, inverse_volume = inverse_h * inverse_h * inverse_h;
   const Inside inside(level_);
-  f.set_zero(force.where);
-  constexpr int kFar = 1 << 28;
-  IndexBox reached{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  f.set_zero();
   for (int p = 0; p < level_.local_count(); ++p) {
     const IndexBox stored = f(p, 0).stored();
     const std::ptrdiff_t sy = f(p, 0).stride(1), sz = f(p, 0).stride(2);
     double* const origin[3] = {f(p, 0).data().data(), f(p, 1).data().data(), f(p, 2).data().data()};
     const auto q = static_cast<std::size_t>(p);
-    const auto add = [&](std::size_t node, const Support& s) {
+    for_each_support(first[q], first[q + 1], X, inverse_h, [&](std::size_t node, const Support& s) {
       if (!inside.holds(X[node])) {
         spread_mirrored(s, level_, inverse_volume * F[node], f, p);
         return;
       }
       for (int c = 0; c < 3; ++c)
         add_to_rows(corner_of(s, c, origin[c], stored, sy, sz), sy, sz, s, c, F[node][c] * inverse_volume);
-    };
-    for_each_support(first[q], first[q + 1], X, inverse_h, add, &reached);
+    });
   }
   faces_.accumulate(f);
-  force.where = reached_by_all(reached);
 }
 
 void interpolate(const Level& level, std::span<const int> first, std::span<const Vec3> X, const MacField& u,

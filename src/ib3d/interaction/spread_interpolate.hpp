@@ -22,23 +22,15 @@ inline constexpr double kNodeDrift = 1.0;
 void interpolate(const Level& level, std::span<const int> first, std::span<const Vec3> X, const MacField& u,
                  std::span<Vec3> U);
 
-/// What nodes exert on a level. A structure rarely fills it: `where` tells which faces need to be looked at.
-struct SpreadForce {
-  explicit SpreadForce(const Level& level) : f(level) {}
-  MacField f;  ///< dyn/cm^3
-  IndexBox
-      where{};  ///< faces of all components and patches outside this box hold zero; the same on all ranks
-};
-
 class Interaction {
  public:
   /// On the finest level.
   explicit Interaction(const Level& level) : level_(level), faces_(Halo::for_faces(level, kNodeGhosts)) {}
 
-  /// f = S[X] F on the owned faces; what was in `force` is overwritten, ghosts included. Forces on wall faces are lost
-  /// to the wall. Collective.
+  /// f = S[X] F on the owned faces; f is overwritten, ghosts included. Forces on wall faces are lost to the
+  /// wall. Collective.
   void spread(std::span<const int> first, std::span<const Vec3> X, std::span<const Vec3> F,
-              SpreadForce& force) const;
+              MacField& f) const;
   /// The same on its level.
   void interpolate(std::span<const int> first, std::span<const Vec3> X, const MacField& u,
                    std::span<Vec3> U) const
@@ -49,9 +41,6 @@ class Interaction {
   void fill_ghosts(MacField& u) const { faces_.fill(u); }
 
  private:
-  /// `reached` of all ranks, with what mirrored and periodic images reach. Collective.
-  IndexBox reached_by_all(const IndexBox& reached) const;
-
   Level level_;
   Halo faces_;
 };

@@ -66,7 +66,7 @@ void momentum(benchmark::State& state, Advection advection)
   const CompositeMac u = rough_faces(grid), f = rough_faces(grid);
   CompositeMac rate = composite_faces(grid), before = composite_faces(grid), u_star = composite_faces(grid);
   for (auto _ : state)
-    advance_momentum(grid.finest(), {1.0, 0.04, advection}, u[0], {&f[0]}, 1e-4, -0.5, rate[0], before[0],
+    advance_momentum(grid.finest(), {1.0, 0.04, advection}, u[0], &f[0], 1e-4, -0.5, rate[0], before[0],
                      u_star[0]);
   state.counters["per_cell"] = each(static_cast<double>(grid.valid_cell_count()));
 }

@@ -38,8 +38,8 @@ void spread(benchmark::State& state)
 {
   const TubeOfNodes tube;
   const Interaction interaction(tube.level());
-  SpreadForce force(tube.level());
-  for (auto _ : state) interaction.spread(tube.first, tube.X, tube.F, force);
+  MacField f(tube.level());
+  for (auto _ : state) interaction.spread(tube.first, tube.X, tube.F, f);
   state.counters["per_node"] = each_node(tube);
 }
 BENCHMARK(spread)->Unit(benchmark::kMillisecond);

@@ -32,19 +32,15 @@ struct Cloud {
 /// The nodes of one rank, their forces, and everything needed to exchange with the grid.
 struct Exchange {
   Exchange(const Level& level, const Cloud& cloud)
-      : owner({cloud.X, {}, {}, {}, {}, {}}, level),
-        interaction(level),
-        X(owner.part().network.X),
-        force(level)
+      : owner({cloud.X, {}, {}, {}, {}, {}}, level), interaction(level), X(owner.part().network.X), f(level)
   {
     for (int n : owner.part().global) F.push_back(cloud.F[static_cast<std::size_t>(n)]);
-    interaction.spread(owner.first(), X, F, force);
+    interaction.spread(owner.first(), X, F, f);
   }
   NodeOwner owner;
   Interaction interaction;
   std::vector<Vec3> X, F;
-  SpreadForce force;
-  const MacField& f = force.f;
+  MacField f;
 };
 
 double sum(double value)
@@ -160,41 +156,6 @@ TEST(SpreadInterpolate, PowerIsConservedAcrossBoxes)
 TEST(SpreadInterpolate, PowerIsConservedThroughPeriodicSides)
 {
   expect_adjoint(periodic_box({2, 2, 4}), 2, 0.0);
-}
-
-/// Both fields agree, ghosts too.
-bool same(const MacField& a, const MacField& b)
-{
-  bool equal = a.patch_count() == b.patch_count();
-  for (int p = 0; equal && p < a.patch_count(); ++p)
-    for (int c = 0; c < 3; ++c) equal = equal && a(p, c).data() == b(p, c).data();
-  return equal;
-}
-
-TEST(SpreadInterpolate, AForceLiesInItsBoxAndLeavesNothingOfTheOneBefore)
-{
-  const Vec3 size{2, 2, 4};
-  for (const bool periodic : {false, true}) {
-    const Domain domain = periodic ? periodic_box(size) : walled_box(size);
-    const Hierarchy grid(domain, 2.0 / 16, MPI_COMM_WORLD, 8);
-    const Level& level = grid.finest();
-    Cloud low(300, {1, 2, 1.5}, 0.0), high(300, {0.6, 0.6, 1.2}, 0.0);
-    for (Vec3& X : high.X) X += Vec3{0.7, 0.4, 1.5};
-    Exchange x(level, low);
-    const Exchange fresh(level, high);
-    const SpreadForce* const forces[] = {&x.force, &fresh.force};
-    for (const SpreadForce* force : forces) {
-      MacField outside = force->f;
-      outside.set_zero(force->where);
-      EXPECT_TRUE(same(outside, MacField(level)));
-      EXPECT_FALSE(same(force->f, MacField(level)));
-    }
-    EXPECT_LT(fresh.force.where.size(0), level.box.size(0) + 1);
-    EXPECT_LT(fresh.force.where.size(2), level.box.size(2) + 1);
-    x.interaction.spread(fresh.owner.first(), fresh.X, fresh.F, x.force);
-    EXPECT_TRUE(same(x.force.f, fresh.force.f));
-    EXPECT_EQ(x.force.where, fresh.force.where);
-  }
 }
 
 TEST(SpreadInterpolate, LinearVelocityIsInterpolatedExactly)
