@@ -2,8 +2,9 @@
 //   connect  tells the nodal circuit what the element is at this instant: a pressure behind a resistance, a
 //            flow, a resistor between two nodes
 //   rates    dy/dt of its own states, once the circuit is solved
-// Scalar is `double`, or `Dual` for values with their derivatives (dual.hpp). An element is immutable; its
-// states live in NetworkState and are handed in as `LocalState`. Flow through an element with one terminal is
+// Scalar is `double`, or `Dual` for values with their derivatives (dual.hpp). An element always gives the same answer to
+// the same question (it may remember the last one: one thread per network); its states live in NetworkState and are handed
+// in as `LocalState`. Flow through an element with one terminal is
 // counted from the node into the element, with two terminals from -> to.
 #pragma once
 
