@@ -112,8 +112,7 @@ Written by `scripts/draw_gallery.py` from the output folders of runs. Every 3D c
 [healthy_adult](../cases/healthy_adult/README.md): the same heart, anatomy and coarse grid, and one thing changed (for exercise, several). The grid
 (10/64) is that of a smoke test: gradients come out too high (compare cases with each other, not with a patient), and the
 numbers change on finer grids. Without a 3D root: [lumped_heart](../cases/lumped_heart/README.md),
-[four_chamber_loop](../cases/four_chamber_loop/README.md). One beat each, so folds of the leaflets are left alone
-(`structure.fold_relaxation_s = 0`).
+[four_chamber_loop](../cases/four_chamber_loop/README.md).
 
 In the pictures: pressures and flow of the beat (grey: {reference}), and the valve seen from the aorta.
 
