@@ -2,8 +2,8 @@
 """Draws the pictures of a run: draw_run.py OUT [OUT ...] writes OUT/pictures/*.png.
 
 flow_and_pressure, probes, leaflets_above, leaflets_side, midplane, markers, step, centre_line, closing_ring, pv_loop; some
-also as .svg. Needs no display and can be called while the run goes on. A picture whose input is not there is left out,
-with one line that says why.
+also as .svg. Needs no display and can be called while the run goes on. A picture whose input is not there is left out;
+a line says why.
 """
 import argparse
 import sys
@@ -36,19 +36,25 @@ COLUMNS = [  # what the report shows: as wide as one column
 ]
 
 
-def draw_all(out, pictures, wanted):
-    """Draws what can be drawn of the `wanted` pictures of the run in `out`; returns how many failed."""
+def draw_all(out, pictures, wanted, quiet=False):
+    """Draws what can be drawn of the `wanted` pictures of the run in `out`; returns how many failed. `quiet`: tells only
+    of those."""
     pictures.mkdir(exist_ok=True)
     failed = 0
+    drawn, left_out = [], []
     for name, draw in wanted:
         try:
             draw(out, pictures)
-            print(f"{name}: drawn")
+            drawn.append(name)
         except Missing as missing:
-            print(f"{name}: left out, {missing}")
+            left_out.append(f"{name} ({missing})")
         except (OSError, KeyError, ValueError, IndexError) as error:
             failed += 1
             print(f"{name}: failed, {type(error).__name__}: {error}", file=sys.stderr)
+    if not quiet:
+        print(f"pictures: {', '.join(drawn)} in {pictures}")
+        if left_out:
+            print(f"left out: {'; '.join(left_out)}")
     return failed
 
 

@@ -19,7 +19,8 @@ def report(out):
     """Draws, writes out/report.html and returns its path."""
     style.apply()
     pictures = out / "pictures"
-    draw_run.draw_all(out, pictures, draw_run.PICTURES + draw_run.COLUMNS)
+    draw_run.draw_all(out, pictures, draw_run.PICTURES)
+    draw_run.draw_all(out, pictures, draw_run.COLUMNS, quiet=True)
     run = contents.read_run(out)
     path = out / "report.html"
     page.write(path, page.page(run.title, contents.body(run)))
