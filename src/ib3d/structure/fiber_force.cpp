@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ib3d/structure/beam.hpp"
+
 namespace valsalva::ib3d {
 
 namespace {
@@ -22,13 +24,8 @@ void add_beam_force(const Beams& beams, std::span<const Vec3> X, double sign, st
 {
   const std::size_t count = beams.x0.size();
   for (std::size_t n = 0; n < count; ++n) {
-    const std::size_t i0 = at(beams.x0[n]), i1 = at(beams.x1[n]), i2 = at(beams.x2[n]);
-    const double g0 = 1.0 / beams.l1[n], g2 = 1.0 / beams.l2[n];
-    const double c = sign * 2.0 * beams.rigidity[n] / (beams.l1[n] + beams.l2[n]);
-    const Vec3 bend = c * (g2 * (X[i2] - X[i1]) - g0 * (X[i1] - X[i0]));
-    F[i0] -= g0 * bend;
-    F[i1] += (g0 + g2) * bend;
-    F[i2] -= g2 * bend;
+    const Beam beam(beams, n);
+    beam.add_force((sign * beam.stiffness) * beam.turn(X), F);
   }
 }
 
@@ -67,9 +64,7 @@ double fiber_energy(const FiberNetwork& network, std::span<const Vec3> X)
   }
   const Beams& beams = network.beams;
   for (std::size_t n = 0; n < beams.x0.size(); ++n) {
-    const Vec3 x1 = X[at(beams.x1[n])];
-    const Vec3 turn =
-        (1.0 / beams.l2[n]) * (X[at(beams.x2[n])] - x1) - (1.0 / beams.l1[n]) * (x1 - X[at(beams.x0[n])]);
+    const Vec3 turn = Beam(beams, n).turn(X);
     energy += beams.rigidity[n] * dot(turn, turn) / (beams.l1[n] + beams.l2[n]);
   }
   const Tethers& tethers = network.tethers;
