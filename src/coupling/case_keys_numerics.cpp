@@ -25,7 +25,7 @@ std::vector<KeySection> numerics_sections()
         real("dt_fixed_s", "s", "Fixed step; 0: automatic steps").in(0.0, 1.0).or_else(0.0),
         real("elastic_safety", "", "Automatic step as a fraction of the structure's stable step")
             .in(0.01, 1.0)
-            .or_else(0.9)}},
+            .or_else(0.95)}},
       {"domain",
        "The box of fluid, z along the vessel",
        {reals("size_cm", "cm", "Lengths of the box along x, y, z")
@@ -61,7 +61,7 @@ std::vector<KeySection> numerics_sections()
              "more, at "
              "the latest in every fourth step; between, it is extrapolated in time. 0: in every step")
             .in(0.0, 0.5)
-            .or_else(0.2),
+            .or_else(0.4),
         choice("viscosity_scheme", {"explicit", "crank_nicolson"},
                "Viscous term from the start of the step, or the mean of both ends, which bounds no step")
             .or_else("explicit")}},
@@ -70,7 +70,7 @@ std::vector<KeySection> numerics_sections()
        {choice("solver", {"multilevel", "pfmg"}, "Own multigrid, or the one of hypre").or_else("multilevel"),
         real("divergence_tolerance_1_s", "1/s", "Rms of div u at which the iteration stops")
             .above(0)
-            .or_else(1e-3),
+            .or_else(5e-3),
         integer("max_iterations", "Iterations after which the solve counts as failed")
             .in(1, 10000)
             .or_else(60)}},

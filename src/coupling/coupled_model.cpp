@@ -57,7 +57,13 @@ ib3d::StepBound CoupledModel::next_step(double t_stop)
   const auto limit = [&](double dt, ib3d::Limit by) {
     if (dt < bound.dt) bound = {dt, by};
   };
+  const double omega = root_.elastic_rate();
   if (control_.dt_fixed_s > 0) {
+    if (control_.dt_fixed_s * omega > 2)
+      throw SolverError(
+          fmt::format("time.dt_fixed_s = {:.3g} s is beyond the structure's stable step of {:.3g} s; use a "
+                      "smaller one, or 0 for automatic steps",
+                      control_.dt_fixed_s, 2 / omega));
     bound = {control_.dt_fixed_s, ib3d::Limit::fixed};
   } else {
     // Adams-Bashforth has one stretch of the real axis for convection and viscosity together: the rates add.
@@ -65,7 +71,6 @@ ib3d::StepBound CoupledModel::next_step(double t_stop)
         1 / ib3d::viscous_step_limit(root_.fluid().grid().finest(), root_.fluid().fluid());
     limit(1 / viscous_rate, ib3d::Limit::viscous);
     limit(1 / (root_.courant_rate() / control_.cfl + viscous_rate), ib3d::Limit::cfl);
-    const double omega = root_.elastic_rate();
     if (omega > 0) limit(control_.elastic_safety * 2 / omega, ib3d::Limit::elastic);
     if (dt_before_ > 0) limit(kGrowth * dt_before_, ib3d::Limit::growth);
   }

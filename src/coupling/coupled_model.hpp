@@ -16,8 +16,8 @@ enum class CouplingScheme { implicit_, explicit_ };
 
 /// Keys of [time].
 struct StepControl {
-  double cfl = 0.4;             ///< largest CFL number
-  double elastic_safety = 0.9;  ///< share of the elastic bound 2/omega_max that is used
+  double cfl = 0.4;              ///< largest CFL number
+  double elastic_safety = 0.95;  ///< share of the elastic bound 2/omega_max that is used
   double dt_max_s = 2e-4;
   double dt_fixed_s = 0;  ///< > 0: this step, shortened only to land on output times and kinks
 };
@@ -39,7 +39,8 @@ class CoupledModel {
   CoupledModel(ib3d::RootSolver& root, Circulation& circulation, CouplingScheme scheme,
                const StepControl& control, Timers& timers);
 
-  /// The step that the bounds allow, shortened to land on `t_stop` and on the kinks of the sources.
+  /// The step that the bounds allow, shortened to land on `t_stop` and on the kinks of the sources. Throws SolverError
+  /// when a fixed step is beyond the structure's bound: it would not blow up but shake the leaflets to tatters.
   ib3d::StepBound next_step(double t_stop);
   /// One step t^n -> t^{n+1}. Collective. Throws SolverError when numbers go bad.
   StepReport advance(const ib3d::StepBound& step);

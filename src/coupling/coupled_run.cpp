@@ -124,10 +124,13 @@ std::string describe_model(const CaseFile& c, CaseModel& m)
         text += fmt::format("leaflet {}  {}", leaflet + 1, lines[leaflet]);
   }
   const double omega = m.root().elastic_rate();
-  if (omega > 0)
+  if (omega > 0) {
+    const StepControl control = step_control_from_case(c);
+    const double share = control.dt_fixed_s > 0 ? 0.5 * omega * control.dt_fixed_s : control.elastic_safety;
     text +=
         fmt::format("step       elastic bound {:.2e} s at the start (2/omega_max; {:.0f} % of it is used)\n",
-                    2 / omega, 100 * step_control_from_case(c).elastic_safety);
+                    2 / omega, 100 * share);
+  }
   if (!m.start().text.empty()) text += m.start().text + '\n';
   std::size_t markers = 0;
   for (const ib3d::MarkerSeed& seed : m.root().markers().seeds()) markers += seed.points.size();

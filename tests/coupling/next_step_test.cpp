@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/error.hpp"
 #include "coupling/tube_model.hpp"
 
 namespace valsalva::coupling {
@@ -86,6 +87,14 @@ TEST(NextStep, CflBoundHoldsForTheFlowThatIsReached)
     limited = limited || step.limited_by == ib3d::Limit::cfl;
   }
   EXPECT_TRUE(limited);
+}
+
+TEST(NextStep, AStepFarBeyondTheCflBoundIsTold)
+{
+  StepControl control;
+  control.dt_fixed_s = 0.5;
+  TubeModel tube(tube_network({}), CouplingScheme::implicit_, control);
+  EXPECT_THROW(tube.model.advance(tube.model.next_step(1e9)), SolverError);
 }
 
 }  // namespace

@@ -74,6 +74,18 @@ BENCHMARK_CAPTURE(momentum, none, Advection::none)->Unit(benchmark::kMillisecond
 BENCHMARK_CAPTURE(momentum, limited, Advection::limited)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(momentum, xsppm7, Advection::xsppm7)->Unit(benchmark::kMillisecond);
 
+/// A step that keeps the rates: most of them in diastole.
+void momentum_kept(benchmark::State& state)
+{
+  const Hierarchy grid = grid_of(1);
+  const CompositeMac u = rough_faces(grid), f = rough_faces(grid), rate = u, before = f;
+  CompositeMac u_star = composite_faces(grid);
+  for (auto _ : state)
+    advance_momentum_kept(grid.finest(), {}, u[0], &f[0], 1e-4, -0.5, rate[0], before[0], u_star[0]);
+  state.counters["per_cell"] = each(static_cast<double>(grid.valid_cell_count()));
+}
+BENCHMARK(momentum_kept)->Unit(benchmark::kMillisecond);
+
 /// One whole step; with Crank-Nicolson it holds the viscous solve.
 void step(benchmark::State& state, ViscosityScheme viscosity)
 {
