@@ -164,7 +164,8 @@ void NavierStokes::advance_velocity(const std::vector<const MacField*>& f, doubl
     close_walls(solver_.problem().grid(static_cast<int>(l)), u_new_[l]);
     shared_faces_[l].fill(u_new_[l]);  // f is complete on owned faces only
   }
-  average_down(u_new_);
+  for (std::size_t l = u_new_.size() - 1; l > 0; --l)
+    transfers_[l - 1].average_down_edges(u_new_[l], u_new_[l - 1]);
 }
 
 void NavierStokes::prescribe(const std::vector<double>& opening_pressure)

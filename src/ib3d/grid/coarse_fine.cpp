@@ -114,6 +114,16 @@ inline void mean_of_cells(T* __restrict out, const T* __restrict a, std::ptrdiff
               ((a[2 * i + sz] + a[2 * i + 1 + sz]) + (a[2 * i + sy + sz] + a[2 * i + 1 + sy + sz])));
 }
 
+/// The faces of direction d at both ends of a box.
+std::array<IndexBox, 2> end_planes(const IndexBox& cells, int d)
+{
+  const auto dd = static_cast<std::size_t>(d);
+  IndexBox low = faces_of(cells, d), high = low;
+  low.hi[dd] = low.lo[dd] + 1;
+  high.lo[dd] = high.hi[dd] - 1;
+  return {low, high};
+}
+
 /// The values of a patch that may be read: its own and those beyond the sides of the domain.
 IndexBox readable(const Level& level, const IndexBox& cells, int component)
 {
@@ -129,6 +139,7 @@ CoarseFine::CoarseFine(const Level& coarse, const Level& fine, int ghosts)
       coarsened_(fine.coarsened()),
       covered_(static_cast<std::size_t>(coarse.local_count())),
       down_faces_(coarse.comm),
+      down_edges_(coarse.comm),
       down_cells_(coarse.comm),
       up_ghosts_(coarse.comm),
       shadow_(coarsened_, kShadowGhosts),
@@ -142,9 +153,13 @@ CoarseFine::CoarseFine(const Level& coarse, const Level& fine, int ghosts)
         const Int3 back{-shift[0], -shift[1], -shift[2]};
         const IndexBox from = coarsened_.patches[f].box, to = coarse_.patches[c].box.shifted(back);
         const int from_owner = fine_.patches[f].owner, to_owner = coarse_.patches[c].owner;
-        for (int d = 0; d < 3; ++d)
+        for (int d = 0; d < 3; ++d) {
           down_faces_.add(from_owner, to_owner,
                           {d, there[f], here[c], intersect(faces_of(from, d), faces_of(to, d)), shift});
+          for (const IndexBox& side : end_planes(from, d))
+            down_edges_.add(from_owner, to_owner,
+                            {d, there[f], here[c], intersect(side, faces_of(to, d)), shift});
+        }
         const IndexBox common = intersect(from, to);
         down_cells_.add(from_owner, to_owner, {0, there[f], here[c], common, shift});
         if (here[c] >= 0 && !common.empty())
@@ -201,20 +216,35 @@ void CoarseFine::fetch(const CopyPlan& plan, const MacField& coarse)
                        [&](int p, int d) -> Array3<double>& { return shadow_(p, d); });
 }
 
+void CoarseFine::average(const MacField& fine, int patch, int component, const IndexBox& faces)
+{
+  const Array3<double>& a = fine(patch, component);
+  Array3<double>& means = shadow_(patch, component);
+  const std::ptrdiff_t s1 = a.stride(component == 0 ? 1 : 0), s2 = a.stride(component == 2 ? 1 : 2);
+  for_each_row(faces, [&](int j, int k) {
+    mean_of_faces(means.at(faces.lo[0], j, k), a.at(2 * faces.lo[0], 2 * j, 2 * k), s1, s2, faces.size(0));
+  });
+}
+
+void CoarseFine::send_down(const CopyPlan& plan, MacField& coarse)
+{
+  plan.forward<double>([&](int p, int d) -> const Array3<double>& { return shadow_(p, d); },
+                       [&](int p, int d) -> Array3<double>& { return coarse(p, d); });
+}
+
 void CoarseFine::average_down(const MacField& fine, MacField& coarse)
 {
   for (int p = 0; p < fine_.local_count(); ++p)
-    for (int d = 0; d < 3; ++d) {
-      const IndexBox box = faces_of(coarsened_.local_box(p), d);
-      const Array3<double>& a = fine(p, d);
-      const std::ptrdiff_t s1 = a.stride(d == 0 ? 1 : 0), s2 = a.stride(d == 2 ? 1 : 2);
-      for_each_row(box, [&](int j, int k) {
-        mean_of_faces(shadow_(p, d).at(box.lo[0], j, k), a.at(2 * box.lo[0], 2 * j, 2 * k), s1, s2,
-                      box.size(0));
-      });
-    }
-  down_faces_.forward<double>([&](int p, int d) -> const Array3<double>& { return shadow_(p, d); },
-                              [&](int p, int d) -> Array3<double>& { return coarse(p, d); });
+    for (int d = 0; d < 3; ++d) average(fine, p, d, faces_of(coarsened_.local_box(p), d));
+  send_down(down_faces_, coarse);
+}
+
+void CoarseFine::average_down_edges(const MacField& fine, MacField& coarse)
+{
+  for (int p = 0; p < fine_.local_count(); ++p)
+    for (int d = 0; d < 3; ++d)
+      for (const IndexBox& side : end_planes(coarsened_.local_box(p), d)) average(fine, p, d, side);
+  send_down(down_edges_, coarse);
 }
 
 template <class T>

@@ -18,6 +18,8 @@ class CoarseFine {
 
   /// Faces or cells of the coarse level under the fine one.
   void average_down(const MacField& fine, MacField& coarse);
+  /// Only those faces at the fine patches' sides: all that the divergence of valid coarse cells reads.
+  void average_down_edges(const MacField& fine, MacField& coarse);
   template <class T>
   void average_down(const CellField<T>& fine, CellField<T>& coarse);
   /// Fills the ghosts beyond the fine level's edge inside the domain; the level's own exchange and the sides
@@ -38,13 +40,16 @@ class CoarseFine {
   };
   CopyPlan plan_footprints(const std::vector<GhostPart>& parts) const;
   void fetch(const CopyPlan& plan, const MacField& coarse);
+  /// Means of the fine faces into `faces` (coarse indices) of the shadow.
+  void average(const MacField& fine, int patch, int component, const IndexBox& faces);
+  void send_down(const CopyPlan& plan, MacField& coarse);
   CellField<double>& means(double) { return cells_; }
   CellField<float>& means(float) { return cells_float_; }
 
   Level coarse_, fine_, coarsened_;
   std::vector<std::vector<IndexBox>> covered_;
   std::vector<GhostPart> ghosts_;
-  CopyPlan down_faces_, down_cells_, up_ghosts_;
+  CopyPlan down_faces_, down_edges_, down_cells_, up_ghosts_;
   MacField shadow_;  ///< the coarse level as the fine patches see it
   CellField<double> cells_;
   CellField<float> cells_float_;
