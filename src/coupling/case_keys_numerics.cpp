@@ -59,7 +59,7 @@ std::vector<KeySection> numerics_sections()
         real("convection_cfl", "",
              "Convection is found anew before the CFL numbers of the steps since the last time sum up to "
              "more, at "
-             "the latest in every fourth step; between, it is extrapolated in time. 0: in every step")
+             "the latest in every eighth step; between, it is extrapolated in time. 0: in every step")
             .in(0.0, 0.5)
             .or_else(0.4),
         choice("viscosity_scheme", {"explicit", "crank_nicolson"},

@@ -17,7 +17,7 @@ namespace valsalva::ib3d {
 namespace {
 
 constexpr int kStepsBetweenElasticSweeps = 30;
-constexpr int kStepsOfOneConvection = 4;
+constexpr int kStepsOfOneConvection = 8;
 
 /// x += dt u for n values; returns the largest |u|.
 double move(double* __restrict x, const double* __restrict u, double dt, std::ptrdiff_t n)
