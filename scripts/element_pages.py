@@ -21,7 +21,7 @@ def head_comment(header):
 
 def header_of(root, element_type):
     """windkessel3 and windkessel4 share windkessel.hpp."""
-    return root / "src" / "lumped" / (re.sub(r"\d$", "", element_type) + ".hpp")
+    return root / "src" / "lumped" / "elements" / (re.sub(r"\d$", "", element_type) + ".hpp")
 
 
 def pages(root):
@@ -31,7 +31,7 @@ def pages(root):
     for element_type, table in sections:
         header = header_of(root, element_type)
         yield element_type, (f"# {element_type}\n\nWritten by `scripts/element_pages.py` from "
-                             f"[{header.name}](../../src/lumped/{header.name}) and [keys.md](../keys.md).\n\n"
+                             f"[{header.name}](../../src/lumped/elements/{header.name}) and [keys.md](../keys.md).\n\n"
                              f"```\n{head_comment(header)}\n```\n\n## Keys\n{table.rstrip()}\n")
 
 

@@ -1,4 +1,4 @@
-#include "coupling/calibrate.hpp"
+#include "run/calibrate.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace valsalva::app {
 
 namespace {
 
-int calibrate(coupling::CalibrateOptions options, Chosen& chosen, const Communicator& comm)
+int calibrate(run::CalibrateOptions options, Chosen& chosen, const Communicator& comm)
 {
   CaseArguments of_case;
   of_case.path = (std::filesystem::path(options.run_dir) / "case.resolved.toml").string();
@@ -21,7 +21,7 @@ int calibrate(coupling::CalibrateOptions options, Chosen& chosen, const Communic
         std::filesystem::path(options.run_dir + "/").lexically_normal().parent_path().string() + "-surrogate";
   common::check_output_folder(options.out_dir, options.force, comm);
   try {
-    const int code = coupling::calibrate(case_file, options);
+    const int code = run::calibrate(case_file, options);
     chosen.afterwards = [out = options.out_dir] { return draw("draw_fit.py", out); };
     return code;
   } catch (const CaseError& error) {
@@ -33,7 +33,7 @@ int calibrate(coupling::CalibrateOptions options, Chosen& chosen, const Communic
 
 void add_calibrate(CLI::App& app, Chosen& chosen)
 {
-  auto options = std::make_shared<coupling::CalibrateOptions>();
+  auto options = std::make_shared<run::CalibrateOptions>();
   CLI::App* command =
       app.add_subcommand("calibrate", "Find the 0D surrogate of the root ([surrogate]) that fits a 3D run");
   command->add_option("run", options->run_dir, "Output folder of the 3D run")

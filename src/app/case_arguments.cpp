@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
-#include "coupling/case_keys.hpp"
+#include "setup/case_keys.hpp"
 
 namespace valsalva::app {
 
@@ -21,7 +21,7 @@ std::string case_file_path(const CaseArguments& arguments)
 
 CaseFile read_case(const CaseArguments& arguments)
 {
-  return CaseFile::read(case_file_path(arguments), coupling::case_keys(), arguments.overrides);
+  return CaseFile::read(case_file_path(arguments), setup::case_keys(), arguments.overrides);
 }
 
 }  // namespace valsalva::app

@@ -1,4 +1,4 @@
-#include "coupling/check.hpp"
+#include "run/check.hpp"
 
 #include <fmt/format.h>
 
@@ -19,8 +19,8 @@ void add_check(CLI::App& app, Chosen& chosen)
     chosen.action = [arguments](const Communicator& comm) {
       const CaseFile case_file = read_case(*arguments);
       try {
-        const std::string lines = coupling::describe_case(case_file);
-        if (comm.is_root()) fmt::print("{}{}", lines, lines.ends_with('\n') ? "" : "\n");
+        const std::string lines = run::describe_case(case_file);
+        if (comm.is_rank_0()) fmt::print("{}{}", lines, lines.ends_with('\n') ? "" : "\n");
       } catch (const CaseError& error) {
         throw case_file.locate(error);
       }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/case_file.hpp"
+#include "casefile/case_file.hpp"
 #include "common/comm.hpp"
 
 namespace CLI {

@@ -3,7 +3,7 @@
 
 #include "app/commands.hpp"
 #include "common/output_folder.hpp"
-#include "coupling/fit_case.hpp"
+#include "run/fit.hpp"
 
 namespace valsalva::app {
 
@@ -11,17 +11,17 @@ namespace {
 
 struct FitArguments {
   CaseArguments of_case;
-  coupling::FitOptions options;
+  run::FitOptions options;
 };
 
 int fit(const FitArguments& arguments, Chosen& chosen, const Communicator& comm)
 {
   const CaseFile case_file = read_case(arguments.of_case);
-  coupling::FitOptions options = arguments.options;
+  run::FitOptions options = arguments.options;
   if (options.out_dir.empty()) options.out_dir = common::usual_output_folder(case_file.path()) + "-fit";
   common::check_output_folder(options.out_dir, options.force, comm);
   try {
-    const int code = coupling::fit_case(case_file, options);
+    const int code = run::fit_case(case_file, options);
     if (case_file.section("output").flag("pictures"))
       chosen.afterwards = [out = options.out_dir] { return draw("draw_fit.py", out); };
     return code;

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/commands.hpp"
-#include "coupling/case_keys.hpp"
+#include "setup/case_keys.hpp"
 
 namespace valsalva::app {
 
@@ -15,9 +15,9 @@ void add_keys(CLI::App& app, Chosen& chosen)
   command->add_flag("--markdown", *markdown, "Print the page docs/keys.md instead");
   command->callback([markdown, &chosen] {
     chosen.action = [markdown](const Communicator& comm) {
-      const common::KeyTable& keys = coupling::case_keys();
-      if (comm.is_root())
-        fmt::print("{}", *markdown ? common::keys_markdown(keys) : common::template_toml(keys));
+      const casefile::KeyTable& keys = setup::case_keys();
+      if (comm.is_rank_0())
+        fmt::print("{}", *markdown ? casefile::keys_markdown(keys) : casefile::template_toml(keys));
       return 0;
     };
   });

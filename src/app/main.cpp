@@ -55,10 +55,10 @@ int parse(CLI::App& app, int argc, char** argv, const Communicator& comm)
     for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
     const std::string word = argc > 1 ? argv[1] : "";
     const bool is_unknown = !word.starts_with("-") && !word.empty() && app.get_subcommands().empty();
-    if (comm.is_root() && !is_question && is_unknown)
+    if (comm.is_rank_0() && !is_question && is_unknown)
       fmt::print(stderr, "valsalva: no command '{}'{}; known are {}\n", word,
                  common::did_you_mean(word, commands), common::one_of(commands));
-    else if (comm.is_root())
+    else if (comm.is_rank_0())
       app.exit(end);
     return is_question ? 0 : common::kCaseErrorCode;
   }
@@ -74,7 +74,7 @@ int main(int argc, char** argv)
   bool is_root = true;
   {
     const Communicator comm;
-    is_root = comm.is_root();
+    is_root = comm.is_rank_0();
     CLI::App app(kAbout);
     app.footer(kFurther);
     app.set_version_flag("--version",

@@ -1,4 +1,4 @@
-#include "coupling/run.hpp"
+#include "run/run.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +39,7 @@ Exit codes: 0 done or stopped by a signal, 2 bad case or command line, 3 numeric
 
 struct RunArguments {
   CaseArguments of_case;
-  coupling::RunOptions options;
+  run::RunOptions options;
 };
 
 /// What to type to continue: the same case with the same --set.
@@ -53,15 +53,15 @@ std::string continue_command(const CaseArguments& of_case, const std::string& ou
 int run(const RunArguments& arguments, Chosen& chosen, const Communicator& comm)
 {
   const CaseFile case_file = read_case(arguments.of_case);
-  coupling::RunOptions options = arguments.options;
+  run::RunOptions options = arguments.options;
   options.case_path = case_file.path();
   if (options.out_dir.empty())
     options.out_dir = common::usual_output_folder(options.case_path) + (options.lumped ? "-lumped" : "");
   if (options.restart.empty()) common::check_output_folder(options.out_dir, options.force, comm);
   options.continue_command = continue_command(arguments.of_case, options.out_dir);
   try {
-    const int code = coupling::run_case(case_file, options);
-    const common::CaseTable& output = case_file.section("output");
+    const int code = run::run_case(case_file, options);
+    const casefile::CaseTable& output = case_file.section("output");
     if (output.flag("pictures"))
       chosen.afterwards = [out = options.out_dir, report = output.flag("report")] {
         return draw(report ? "report_run.py" : "draw_run.py", out);

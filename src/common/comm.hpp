@@ -52,7 +52,7 @@ class Communicator {
 
   int rank() const { return rank_; }
   int size() const { return size_; }
-  bool is_root() const { return rank_ == 0; }
+  bool is_rank_0() const { return rank_ == 0; }
   MPI_Comm raw() const { return comm_; }
 
   /// Sum over ranks in rank order. Collective.
@@ -76,7 +76,7 @@ class Communicator {
     return all;
   }
   /// Rank 0's number, on all ranks. Collective.
-  double from_root(double x) const
+  double from_rank_0(double x) const
   {
     if (size_ > 1) MPI_Bcast(&x, 1, MPI_DOUBLE, 0, comm_);
     return x;
@@ -103,11 +103,11 @@ class Communicator {
 /// Runs `work` on rank 0 only. If it throws an IoError, all ranks throw one, so that none waits for rank 0 inside the
 /// next collective call; only rank 0's has a message. Collective.
 template <class Work>
-void on_root(const Communicator& comm, Work&& work)
+void on_rank_0(const Communicator& comm, Work&& work)
 {
   bool failed = false;
   std::string why;
-  if (comm.is_root()) try {
+  if (comm.is_rank_0()) try {
       work();
     } catch (const IoError& error) {
       failed = true;

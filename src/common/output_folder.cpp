@@ -28,9 +28,9 @@ State state_of(const fs::path& folder, bool force)
 
 void check_output_folder(const std::string& folder, bool force, const Communicator& comm)
 {
-  const double found = comm.is_root() ? static_cast<double>(state_of(folder, force)) : 0.0;
+  const double found = comm.is_rank_0() ? static_cast<double>(state_of(folder, force)) : 0.0;
   const std::string name = "the output folder '" + folder + "' ";
-  switch (static_cast<State>(static_cast<int>(comm.from_root(found)))) {
+  switch (static_cast<State>(static_cast<int>(comm.from_rank_0(found)))) {
     case State::usable:
       return;
     case State::occupied:
@@ -49,7 +49,7 @@ void create_output_folder(const std::string& folder, bool force, const std::stri
 {
   check_output_folder(folder, force, comm);
   bool failed = false;
-  if (comm.is_root()) {
+  if (comm.is_rank_0()) {
     std::error_code error;
     fs::remove_all(folder, error);
     fs::create_directories(folder, error);
@@ -65,12 +65,12 @@ void continue_output_folder(const std::string& folder, const std::string& resolv
 {
   const fs::path file = fs::path(folder) / "case.resolved.toml", part = file.string() + ".part";
   std::error_code error;
-  if (comm.any(comm.is_root() && !fs::exists(file, error)))
+  if (comm.any(comm.is_rank_0() && !fs::exists(file, error)))
     throw CaseError(
         "", "the output folder '" + folder +
                 "' holds no run to continue (no case.resolved.toml); name the folder of the run with -o");
   bool failed = false;
-  if (comm.is_root()) {
+  if (comm.is_rank_0()) {
     failed = !(std::ofstream(part) << resolved_case << std::flush);
     if (!failed) fs::rename(part, file, error);
   }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "common/checkpoint.hpp"
-#include "lumped/cvode_integrator.hpp"
+#include "lumped/integration/cvode_integrator.hpp"
 
 namespace valsalva::coupling {
 

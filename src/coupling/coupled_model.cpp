@@ -31,8 +31,8 @@ std::vector<double> in_dyn_cm2(const Eigen::VectorXd& p_mmHg)
 
 }  // namespace
 
-CoupledModel::CoupledModel(ib3d::RootSolver& root, Circulation& circulation, CouplingScheme scheme,
-                           const StepControl& control, Timers& timers)
+CoupledModel::CoupledModel(ib3d::ImmersedBoundarySolver& root, Circulation& circulation,
+                           CouplingScheme scheme, const StepControl& control, Timers& timers)
     : root_(root), circulation_(circulation), scheme_(scheme), control_(control), timers_(timers)
 {
   const std::vector<double> none(static_cast<std::size_t>(circulation.port_count()), 0.0);

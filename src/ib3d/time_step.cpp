@@ -2,15 +2,15 @@
 
 #include <cmath>
 
-#include "ib3d/structure/fiber_force.hpp"
+#include "ib3d/structure/fibres/fibre_force.hpp"
 
 namespace valsalva::ib3d {
 
-double ElasticBound::update(const NodeOwner& nodes, const Interaction& interaction,
+double ElasticBound::update(const NodeDistribution& nodes, const Interaction& interaction,
                             const std::vector<Vec3>& X, int sweeps)
 {
   if (nodes.whole().node_count() == 0) return 0;
-  const FiberPart& part = nodes.part();
+  const FibrePart& part = nodes.part();
   if (!started_) {
     started_ = true;
     // Deterministic, rough, and the same whatever the number of ranks.
@@ -24,7 +24,7 @@ double ElasticBound::update(const NodeOwner& nodes, const Interaction& interacti
   stiff_.resize(X.size());
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     nodes.fill_copies(v_);
-    fiber_stiffness_times(part.network, X, v_, stiff_, SlackSprings::just_taut);
+    fibre_stiffness_times(part.network, X, v_, stiff_, SlackSprings::just_taut);
     interaction.spread(nodes.first(), X, stiff_, f_);
     interaction.fill_ghosts(f_);
     double sums[2] = {0, 0};
@@ -42,7 +42,7 @@ double ElasticBound::update(const NodeOwner& nodes, const Interaction& interacti
   return omega_;
 }
 
-void ElasticBound::save_or_restore(Checkpoint& c, const NodeOwner& nodes)
+void ElasticBound::save_or_restore(Checkpoint& c, const NodeDistribution& nodes)
 {
   c("structure/omega", omega_);
   int started = started_ ? 1 : 0;

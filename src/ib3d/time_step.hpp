@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "ib3d/interaction/node_owner.hpp"
+#include "ib3d/interaction/node_distribution.hpp"
 #include "ib3d/interaction/spread_interpolate.hpp"
 
 namespace valsalva::ib3d {
@@ -36,14 +36,14 @@ class ElasticBound {
 
   /// `sweeps` more power iterations at the positions X (all local nodes); returns omega_max (1/s), 0 without
   /// a structure. Collective.
-  double update(const NodeOwner& nodes, const Interaction& interaction, const std::vector<Vec3>& X,
+  double update(const NodeDistribution& nodes, const Interaction& interaction, const std::vector<Vec3>& X,
                 int sweeps);
   double omega() const { return omega_; }
   /// Forgets the eigenvector: call after nodes have changed ranks (the estimate of omega is kept until the
   /// next update).
   void restart() { started_ = false; }
   /// omega and its eigenvector. Collective.
-  void save_or_restore(Checkpoint& c, const NodeOwner& nodes);
+  void save_or_restore(Checkpoint& c, const NodeDistribution& nodes);
 
  private:
   Level level_;

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lumped/limit_cycle.hpp"
+#include "lumped/integration/limit_cycle.hpp"
 #include "lumped/specs.hpp"
 
 namespace valsalva::lumped::testing {

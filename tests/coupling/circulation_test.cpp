@@ -8,6 +8,7 @@
 #include "lumped/specs.hpp"
 
 namespace valsalva::coupling {
+
 namespace {
 
 using namespace lumped::testing;

@@ -8,6 +8,7 @@
 #include "coupling/tube_model.hpp"
 
 namespace valsalva::coupling {
+
 namespace {
 
 constexpr double kEnd_s = 0.06;

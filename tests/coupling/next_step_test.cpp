@@ -9,6 +9,7 @@
 #include "coupling/tube_model.hpp"
 
 namespace valsalva::coupling {
+
 namespace {
 
 lumped::NetworkSpec network_with_kinks()

@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "coupling/case_keys.hpp"
+#include "casefile/case_file.hpp"
+#include "setup/case_keys.hpp"
 
 namespace valsalva::coupling {
+
+using namespace setup;
 
 using Changes = std::vector<std::string>;
 

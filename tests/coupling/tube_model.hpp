@@ -43,7 +43,7 @@ struct TubeModel {
   Timers timers;
   Circulation circulation;
   ib3d::Hierarchy grid;
-  ib3d::RootSolver root;
+  ib3d::ImmersedBoundarySolver root;
   CoupledModel model;
 };
 

@@ -1,7 +1,7 @@
 // Every network that cannot be solved, and every wrong parameter, is answered by the promised sentence.
 #include <gtest/gtest.h>
 
-#include "lumped/element_types.hpp"
+#include "lumped/network/element_types.hpp"
 #include "lumped/refusal.hpp"
 #include "lumped/specs.hpp"
 

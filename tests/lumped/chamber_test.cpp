@@ -1,4 +1,4 @@
-#include "lumped/chamber.hpp"
+#include "lumped/elements/chamber.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
-#include "lumped/limit_cycle.hpp"
+#include "lumped/integration/limit_cycle.hpp"
 #include "lumped/refusal.hpp"
 #include "lumped/specs.hpp"
 

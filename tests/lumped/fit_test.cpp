@@ -1,5 +1,5 @@
 // Fits of synthetic data whose truth is known: recovery, standard deviations, and what cannot be identified.
-#include "lumped/fit.hpp"
+#include "lumped/fit/fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 
 #include "common/error.hpp"
-#include "lumped/limit_cycle.hpp"
+#include "lumped/integration/limit_cycle.hpp"
 #include "lumped/specs.hpp"
 
 namespace valsalva::lumped::testing {

@@ -1,4 +1,4 @@
-#include "lumped/cvode_integrator.hpp"
+#include "lumped/integration/cvode_integrator.hpp"
 
 #include <gtest/gtest.h>
 

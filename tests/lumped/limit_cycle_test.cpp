@@ -1,5 +1,5 @@
 // Periodic states by shooting, against closed forms, marching and central differences.
-#include "lumped/limit_cycle.hpp"
+#include "lumped/integration/limit_cycle.hpp"
 
 #include <gtest/gtest.h>
 

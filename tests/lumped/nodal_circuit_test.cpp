@@ -1,4 +1,4 @@
-#include "lumped/nodal_circuit.hpp"
+#include "lumped/network/nodal_circuit.hpp"
 
 #include <gtest/gtest.h>
 

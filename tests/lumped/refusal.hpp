@@ -2,7 +2,7 @@
 #pragma once
 
 #include "complaint.hpp"
-#include "lumped/network.hpp"
+#include "lumped/network/network.hpp"
 
 namespace valsalva::lumped::testing {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
-#include "lumped/limit_cycle.hpp"
+#include "lumped/integration/limit_cycle.hpp"
 #include "lumped/specs.hpp"
 
 namespace valsalva::lumped::testing {

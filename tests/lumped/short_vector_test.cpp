@@ -1,5 +1,5 @@
 // The integrator's own vector arithmetic against that of SUNDIALS, at lengths with and without a remainder.
-#include "lumped/short_vector.hpp"
+#include "lumped/integration/short_vector.hpp"
 
 #include <gtest/gtest.h>
 

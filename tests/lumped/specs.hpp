@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "lumped/cvode_integrator.hpp"
-#include "lumped/network.hpp"
-#include "lumped/network_spec.hpp"
+#include "lumped/integration/cvode_integrator.hpp"
+#include "lumped/network/network.hpp"
+#include "lumped/network/network_spec.hpp"
 
 namespace valsalva::lumped::testing {
 

@@ -1,4 +1,4 @@
-#include "lumped/valve.hpp"
+#include "lumped/elements/valve.hpp"
 
 #include <gtest/gtest.h>
 

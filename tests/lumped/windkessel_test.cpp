@@ -1,4 +1,4 @@
-#include "lumped/windkessel.hpp"
+#include "lumped/elements/windkessel.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "ib3d/fluid/advection.hpp"
-#include "ib3d/fluid/row_kernels.hpp"
+#include "ib3d/grid/row_kernels.hpp"
 
 namespace valsalva::ib3d {
 

@@ -7,7 +7,7 @@
 // 2.1-2.3 and 2.7).
 #pragma once
 
-#include "ib3d/fluid/openings.hpp"
+#include "ib3d/fluid/pressure/openings.hpp"
 #include "ib3d/fluid/upwind.hpp"
 #include "ib3d/grid/fields.hpp"
 

@@ -7,11 +7,11 @@
 
 #include "ib3d/fluid/advection.hpp"
 #include "ib3d/fluid/courant_rate.hpp"
-#include "ib3d/fluid/row_kernels.hpp"
 #include "ib3d/fluid/velocity_correction.hpp"
 #include "ib3d/grid/field_checkpoint.hpp"
 #include "ib3d/grid/mirror.hpp"
 #include "ib3d/grid/regrid.hpp"
+#include "ib3d/grid/row_kernels.hpp"
 
 namespace valsalva::ib3d {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ib3d/fluid/row_kernels.hpp"
+#include "ib3d/grid/row_kernels.hpp"
 
 namespace valsalva::ib3d {
 

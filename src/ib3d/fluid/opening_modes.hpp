@@ -9,7 +9,7 @@
 
 #include <Eigen/Dense>
 
-#include "ib3d/fluid/pressure_solver.hpp"
+#include "ib3d/fluid/pressure/pressure_solver.hpp"
 
 namespace valsalva::ib3d {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ib3d/fluid/courant_rate.hpp"
-#include "ib3d/fluid/row_kernels.hpp"
+#include "ib3d/grid/row_kernels.hpp"
 
 namespace valsalva::ib3d {
 

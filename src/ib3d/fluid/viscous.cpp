@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "common/error.hpp"
-#include "ib3d/fluid/composite_pressure.hpp"
-#include "ib3d/fluid/row_kernels.hpp"
+#include "ib3d/fluid/pressure/composite_pressure.hpp"
+#include "ib3d/grid/row_kernels.hpp"
 
 namespace valsalva::ib3d {
 

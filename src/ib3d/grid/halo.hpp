@@ -12,17 +12,17 @@
 namespace valsalva::ib3d {
 
 /// Where the values of one array sit: on the faces normal to x, y, z, or in cells.
-enum class Centering { x_face = 0, y_face = 1, z_face = 2, cell = 3 };
+enum class Centring { x_face = 0, y_face = 1, z_face = 2, cell = 3 };
 
 class Halo {
  public:
-  /// For groups of arrays with these centerings, exchanged in one message per neighbour rank.
-  Halo(const Level& level, const std::vector<Centering>& centerings, int ghosts);
+  /// For groups of arrays with these centrings, exchanged in one message per neighbour rank.
+  Halo(const Level& level, const std::vector<Centring>& centrings, int ghosts);
 
-  static Halo for_cells(const Level& level, int ghosts) { return {level, {Centering::cell}, ghosts}; }
+  static Halo for_cells(const Level& level, int ghosts) { return {level, {Centring::cell}, ghosts}; }
   static Halo for_faces(const Level& level, int ghosts = kMacGhosts)
   {
-    return {level, {Centering::x_face, Centering::y_face, Centering::z_face}, ghosts};
+    return {level, {Centring::x_face, Centring::y_face, Centring::z_face}, ghosts};
   }
 
   /// Of a halo of the same centering; the field must store at least as many ghosts.

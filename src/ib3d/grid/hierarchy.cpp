@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
-#include "ib3d/grid/rank_regions.hpp"
+#include "ib3d/grid/recursive_bisection.hpp"
 
 namespace valsalva::ib3d {
 
@@ -124,9 +124,9 @@ Hierarchy::Hierarchy(const Domain& domain, double h, MPI_Comm comm, const Refine
     levels_.push_back(std::move(level));
   }
   const int regions = std::max(boxes, ranks);
-  const RankRegions cuts(all, nodes, regions);
+  const RecursiveBisection cuts(all, nodes, regions);
   for (std::size_t l = 0; l < levels_.size(); ++l)
-    for (const RankRegions::Piece& piece : cuts.cut(all[l])) {
+    for (const RecursiveBisection::Piece& piece : cuts.cut(all[l])) {
       const int owner = static_cast<int>(static_cast<long>(piece.region) * ranks / regions);
       if (owner == rank) levels_[l].local.push_back(static_cast<int>(levels_[l].patches.size()));
       levels_[l].patches.push_back({piece.box, owner});

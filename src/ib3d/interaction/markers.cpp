@@ -178,7 +178,7 @@ void Markers::save_or_restore(Checkpoint& c, const Hierarchy& grid)
   c("markers/lost", lost_);
   if (!c.reading()) return;
   markers_.clear();
-  const bool first_rank = Communicator(grid.comm()).is_root();
+  const bool first_rank = Communicator(grid.comm()).is_rank_0();
   for (std::size_t n = 0; first_rank && n < X.size(); ++n)
     markers_.push_back({X[n], U[n], seeded_s[n], id[n], group[n], 0, 0});
   settle(grid);

@@ -39,7 +39,7 @@ struct AmrLevel {
 };
 
 /// The structure as this rank sees it; numbers in `lines` count this rank's points.
-struct FiberPicture {
+struct FibrePicture {
   std::vector<Vec3> points;               ///< cm
   std::vector<int> group;                 ///< per point
   std::vector<std::array<int, 2>> lines;  ///< the springs
@@ -64,7 +64,7 @@ void write_image_data(const std::string& path, double time_s, const Vec3& origin
                       const std::vector<AmrLevel>& levels, int at, MPI_Comm comm);
 
 /// `group_names[g]` is the name of group g.
-void write_fibers(const std::string& path, double time_s, const FiberPicture& fibers,
+void write_fibres(const std::string& path, double time_s, const FibrePicture& fibres,
                   const std::vector<std::string>& group_names, MPI_Comm comm);
 void write_markers(const std::string& path, double time_s, const MarkerPicture& markers,
                    const std::vector<std::string>& group_names, MPI_Comm comm);

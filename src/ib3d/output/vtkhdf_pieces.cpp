@@ -30,7 +30,7 @@ PieceFile::PieceFile(const std::string& path, double time_s, const std::vector<s
   const Communicator ranks(comm);
   const bool some = ranks.any(!points.empty());
   const bool has_piece =
-      !points.empty() || (!some && ranks.is_root());  // ParaView reads no file without a piece
+      !points.empty() || (!some && ranks.is_rank_0());  // ParaView reads no file without a piece
   std::vector<std::int64_t> counts[3];
   if (!has_piece) {
     cells.offsets.clear();

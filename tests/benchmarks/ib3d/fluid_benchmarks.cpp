@@ -4,8 +4,8 @@
 
 #include "ib3d/fluid/advection.hpp"
 #include "ib3d/fluid/grids.hpp"
-#include "ib3d/fluid/multilevel.hpp"
 #include "ib3d/fluid/navier_stokes.hpp"
+#include "ib3d/fluid/pressure/multilevel.hpp"
 
 namespace valsalva::ib3d {
 namespace {

@@ -1,5 +1,5 @@
 // Cost of spreading and interpolating per node: a tube in the box of cases/aortic_root at h = 10/96, with the three layers of
-// the root's wall, nodes in the order of NodeOwner. Between two calls the caches see as much memory as in a step.
+// the root's wall, nodes in the order of NodeDistribution. Between two calls the caches see as much memory as in a step.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "ib3d/fluid/grids.hpp"
-#include "ib3d/fluid/pressure_solver.hpp"
+#include "ib3d/fluid/pressure/pressure_solver.hpp"
 
 namespace valsalva::ib3d {
 namespace {

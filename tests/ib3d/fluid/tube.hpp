@@ -1,7 +1,7 @@
 // Domains that several tests of the fluid solver share.
 #pragma once
 
-#include "ib3d/fluid/openings.hpp"
+#include "ib3d/fluid/pressure/openings.hpp"
 
 namespace valsalva::ib3d {
 

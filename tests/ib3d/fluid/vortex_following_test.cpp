@@ -39,7 +39,7 @@ TEST(Vorticity, AVortexThatTheFlowCarriesStaysOnTheFineLevel)
   follow();
   EXPECT_LT(vortex.fluid->grid().finest().cell_count(), 0.6 * static_cast<double>(middle.volume()));
 
-  // As RootSolver does: anew when the fastest fluid has moved by half a cell less than the margin.
+  // As ImmersedBoundarySolver does: anew when the fastest fluid has moved by half a cell less than the margin.
   const double fastest = 2.2, dt = 0.3 * h / fastest;
   double moved = 0, largest = 0;
   std::vector<Refinement> grids;

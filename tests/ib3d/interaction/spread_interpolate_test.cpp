@@ -7,7 +7,7 @@
 
 #include "ib3d/fluid/tube.hpp"
 #include "ib3d/interaction/delta.hpp"
-#include "ib3d/interaction/node_owner.hpp"
+#include "ib3d/interaction/node_distribution.hpp"
 #include "ib3d/interaction/spread_interpolate.hpp"
 
 namespace valsalva::ib3d {
@@ -37,7 +37,7 @@ struct Exchange {
     for (int n : owner.part().global) F.push_back(cloud.F[static_cast<std::size_t>(n)]);
     interaction.spread(owner.first(), X, F, f);
   }
-  NodeOwner owner;
+  NodeDistribution owner;
   Interaction interaction;
   std::vector<Vec3> X, F;
   MacField f;

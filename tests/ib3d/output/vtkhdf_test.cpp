@@ -144,25 +144,25 @@ TEST(ImageData, CoarseCellsAreRepeatedWhereNothingIsFiner)
 }
 
 /// Rank r holds r + 2 points in a row, joined by lines, and one point alone.
-FiberPicture row_of_points()
+FibrePicture row_of_points()
 {
-  FiberPicture fibers;
+  FibrePicture fibres;
   const int n = mpi_rank() + 2;
   for (int i = 0; i <= n; ++i) {
-    fibers.points.push_back({0.5 * i, 1.0 * mpi_rank(), i == n ? 9.0 : 0.0});
-    fibers.group.push_back(i == n ? 0 : 1 + mpi_rank());
+    fibres.points.push_back({0.5 * i, 1.0 * mpi_rank(), i == n ? 9.0 : 0.0});
+    fibres.group.push_back(i == n ? 0 : 1 + mpi_rank());
   }
   for (int i = 0; i + 1 < n; ++i) {
-    fibers.lines.push_back({i, i + 1});
-    fibers.strain.push_back(0.125F * static_cast<float>(i + 1));
+    fibres.lines.push_back({i, i + 1});
+    fibres.strain.push_back(0.125F * static_cast<float>(i + 1));
   }
-  return fibers;
+  return fibres;
 }
 
-TEST(Fibers, LinesAndLonePointsOfEveryRankReadBack)
+TEST(Fibres, LinesAndLonePointsOfEveryRankReadBack)
 {
-  const std::string path = shared_file("fibers.hdf");
-  write_fibers(path, 0.5, row_of_points(), {"wall", "leaflet 1", "leaflet 2"}, MPI_COMM_WORLD);
+  const std::string path = shared_file("fibres.hdf");
+  write_fibres(path, 0.5, row_of_points(), {"wall", "leaflet 1", "leaflet 2"}, MPI_COMM_WORLD);
   const Hdf5File file = Hdf5File::open(path, MPI_COMM_WORLD);
   EXPECT_EQ(file.read_text("/", "group_names"), "wall\nleaflet 1\nleaflet 2");
   EXPECT_EQ(file.read_doubles("/", "time_s"), std::vector<double>{0.5});
@@ -200,11 +200,11 @@ TEST(Fibers, LinesAndLonePointsOfEveryRankReadBack)
   EXPECT_EQ(offset, offsets.size());
 }
 
-TEST(Fibers, LineToAPointThatIsNotThereIsRefusedOnEveryRank)
+TEST(Fibres, LineToAPointThatIsNotThereIsRefusedOnEveryRank)
 {
-  FiberPicture fibers = row_of_points();
-  if (mpi_rank() == 0) fibers.lines[0] = {0, 99};
-  EXPECT_THROW(write_fibers(shared_file("bad.hdf"), 0.0, fibers, {}, MPI_COMM_WORLD), IoError);
+  FibrePicture fibres = row_of_points();
+  if (mpi_rank() == 0) fibres.lines[0] = {0, 99};
+  EXPECT_THROW(write_fibres(shared_file("bad.hdf"), 0.0, fibres, {}, MPI_COMM_WORLD), IoError);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "ib3d/structure/aortic_root.hpp"
+#include "ib3d/structure/aortic_root/aortic_root.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <set>
 
 #include "common/error.hpp"
-#include "ib3d/structure/fiber_strain.hpp"
-#include "ib3d/structure/root_shape.hpp"
-#include "ib3d/structure/root_wall.hpp"
+#include "ib3d/structure/aortic_root/root_shape.hpp"
+#include "ib3d/structure/aortic_root/root_wall.hpp"
+#include "ib3d/structure/fibres/fibre_strain.hpp"
 
 namespace valsalva::ib3d {
 namespace {
@@ -19,32 +19,32 @@ constexpr double kH = 10.0 / 64;
 constexpr double kThird = 2.0 * std::numbers::pi / 3.0;
 const RootDimensions kRoot;
 
-const FiberNetwork& whole_root()
+const FibreNetwork& whole_root()
 {
-  static const FiberNetwork network = build_aortic_root(kRoot, LeafletMaterial{}, WallMaterial{}, kH);
+  static const FibreNetwork network = build_aortic_root(kRoot, LeafletMaterial{}, WallMaterial{}, kH);
   return network;
 }
 
 Vec3 turned(const Vec3& x, double angle)
 {
-  const double dx = x[0] - kRoot.center[0], dy = x[1] - kRoot.center[1];
-  return {kRoot.center[0] + std::cos(angle) * dx - std::sin(angle) * dy,
-          kRoot.center[1] + std::sin(angle) * dx + std::cos(angle) * dy, x[2]};
+  const double dx = x[0] - kRoot.centre[0], dy = x[1] - kRoot.centre[1];
+  return {kRoot.centre[0] + std::cos(angle) * dx - std::sin(angle) * dy,
+          kRoot.centre[1] + std::sin(angle) * dx + std::cos(angle) * dy, x[2]};
 }
 
 double radius_of(const Vec3& x)
 {
-  return std::hypot(x[0] - kRoot.center[0], x[1] - kRoot.center[1]);
+  return std::hypot(x[0] - kRoot.centre[0], x[1] - kRoot.centre[1]);
 }
 
 double angle_of(const Vec3& x)
 {
-  return std::atan2(x[1] - kRoot.center[1], x[0] - kRoot.center[0]);
+  return std::atan2(x[1] - kRoot.centre[1], x[0] - kRoot.centre[0]);
 }
 
 TEST(AorticRoot, HasThreeLeafletsAndThreeWallLayersThatCoverAllNodes)
 {
-  const FiberNetwork& network = whole_root();
+  const FibreNetwork& network = whole_root();
   const std::vector<std::string> names{"leaflet 1", "leaflet 2", "leaflet 3", "wall 1", "wall 2", "wall 3"};
   ASSERT_EQ(network.groups.size(), names.size());
   int next = 0;
@@ -58,7 +58,7 @@ TEST(AorticRoot, HasThreeLeafletsAndThreeWallLayersThatCoverAllNodes)
 
 TEST(AorticRoot, LeafletsAreRotationsOfOne)
 {
-  const FiberNetwork& network = whole_root();
+  const FibreNetwork& network = whole_root();
   const NodeGroup& one = network.groups[0];
   for (int k : {1, 2}) {
     const NodeGroup& other = network.groups[static_cast<std::size_t>(k)];
@@ -124,7 +124,7 @@ TEST(AorticRoot, WallReachesBothEndsAndFlaresThere)
 
 TEST(AorticRoot, LayersLieHalfAGridSpacingApart)
 {
-  const FiberNetwork& network = whole_root();
+  const FibreNetwork& network = whole_root();
   for (int layer = 0; layer < 3; ++layer) {
     const NodeGroup* group = find_group(network, "wall " + std::to_string(layer + 1));
     ASSERT_NE(group, nullptr);
@@ -147,7 +147,7 @@ TEST(AorticRoot, SinusBeginsOnTheAttachmentLine)
 
 TEST(AorticRoot, LeafletEdgesAreTetheredOnTheTubeAndTheRestIsInside)
 {
-  const FiberNetwork& network = whole_root();
+  const FibreNetwork& network = whole_root();
   const std::set<int> tethered(network.tethers.node.begin(), network.tethers.node.end());
   for (int i = 0; i < network.groups[2].last; ++i) {
     const Vec3 x = network.X[static_cast<std::size_t>(i)];
@@ -162,15 +162,15 @@ TEST(AorticRoot, LeafletEdgesAreTetheredOnTheTubeAndTheRestIsInside)
 
 TEST(AorticRoot, FreeEdgesRunFromCommissureToCommissure)
 {
-  const FiberNetwork& network = whole_root();
+  const FibreNetwork& network = whole_root();
   const std::set<int> tethered(network.tethers.node.begin(), network.tethers.node.end());
   ASSERT_EQ(network.free_edges.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::vector<int>& edge = network.free_edges[k];
     for (const auto& [node, side] : {std::pair{edge.front(), -0.5}, std::pair{edge.back(), 0.5}}) {
       const double angle = (static_cast<double>(k) + side) * kThird;
-      const Vec3 commissure{kRoot.center[0] + kRoot.annulus_radius * std::cos(angle),
-                            kRoot.center[1] + kRoot.annulus_radius * std::sin(angle),
+      const Vec3 commissure{kRoot.centre[0] + kRoot.annulus_radius * std::cos(angle),
+                            kRoot.centre[1] + kRoot.annulus_radius * std::sin(angle),
                             kRoot.annulus_z + kRoot.commissure_height};
       EXPECT_LT(norm(network.X[static_cast<std::size_t>(node)] - commissure), 1e-12);
       EXPECT_EQ(tethered.count(node), 1u);

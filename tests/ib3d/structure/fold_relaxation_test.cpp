@@ -1,4 +1,4 @@
-#include "ib3d/structure/fold_relaxation.hpp"
+#include "ib3d/structure/fibres/fold_relaxation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,15 +13,15 @@ namespace {
 
 constexpr double kSpacing = 0.05, kTime = 5e-4;
 
-void add_beam(FiberNetwork& network, int x0, int x1, int x2, double rigidity)
+void add_beam(FibreNetwork& network, int x0, int x1, int x2, double rigidity)
 {
   network.beams.add({x0, x1, x2}, rigidity, kSpacing, kSpacing);
 }
 
 /// An even lattice in the plane z = 0, rows first, columns of another rigidity.
-FiberNetwork lattice(int columns, int rows)
+FibreNetwork lattice(int columns, int rows)
 {
-  FiberNetwork network;
+  FibreNetwork network;
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) network.X.push_back({i * kSpacing, j * kSpacing, 0.0});
   for (int j = 0; j < rows; ++j)
@@ -33,7 +33,7 @@ FiberNetwork lattice(int columns, int rows)
   return network;
 }
 
-std::vector<Vec3> slip(const FiberNetwork& network, const std::vector<Vec3>& X)
+std::vector<Vec3> slip(const FibreNetwork& network, const std::vector<Vec3>& X)
 {
   std::vector<Vec3> V(X.size(), Vec3{0.0, 0.0, 0.0});
   add_fold_slip(network, X, kTime, V);
@@ -60,7 +60,7 @@ double fold_energy(const Beams& beams, const std::vector<Vec3>& X)
 
 TEST(FoldRelaxation, WhatTurnsLessThanTheSharpestTurnDoesNotSlip)
 {
-  FiberNetwork network;
+  FibreNetwork network;
   const double R = 1.02 * kSpacing / kSharpestTurn;
   for (int n = 0; n < 20; ++n)
     network.X.push_back({R * std::cos(n * kSpacing / R), R * std::sin(n * kSpacing / R), 1.0});
@@ -71,7 +71,7 @@ TEST(FoldRelaxation, WhatTurnsLessThanTheSharpestTurnDoesNotSlip)
 TEST(FoldRelaxation, AlternatingLatticeLosesItsExcessInTheTimeGiven)
 {
   const int columns = 9, rows = 8;
-  const FiberNetwork network = lattice(columns, rows);
+  const FibreNetwork network = lattice(columns, rows);
   const double a = 0.3 * kSpacing, turn = 4.0 * a / kSpacing;
   std::vector<Vec3> X = network.X;
   for (int j = 0; j < rows; ++j)
@@ -88,7 +88,7 @@ TEST(FoldRelaxation, AlternatingLatticeLosesItsExcessInTheTimeGiven)
 
 TEST(FoldRelaxation, FoldOfFourNodesDecaysFourTimesAsSlowly)
 {
-  FiberNetwork network = lattice(16, 1);
+  FibreNetwork network = lattice(16, 1);
   const double a = 0.4 * kSpacing, turn = 2.0 * a / kSpacing;
   for (int n = 0; n < 16; ++n)
     network.X[static_cast<std::size_t>(n)][1] = n % 2 == 1 ? 0.0 : n % 4 == 0 ? a : -a;
@@ -99,7 +99,7 @@ TEST(FoldRelaxation, FoldOfFourNodesDecaysFourTimesAsSlowly)
 
 TEST(FoldRelaxation, StepsAsLongAsTheTimeOnlyEverFlatten)
 {
-  FiberNetwork network = random_network(40, 17);
+  FibreNetwork network = random_network(40, 17);
   network.tethers = Tethers{};
   std::vector<Vec3> X = network.X;
   const double start = fold_energy(network.beams, X);
@@ -114,7 +114,7 @@ TEST(FoldRelaxation, StepsAsLongAsTheTimeOnlyEverFlatten)
 
 TEST(FoldRelaxation, FoldedRingSlipsWithoutDriftOrRotation)
 {
-  FiberNetwork network;
+  FibreNetwork network;
   const int nodes = 24;
   for (int n = 0; n < nodes; ++n) {
     const double r = 0.2 + 0.03 * std::sin(3.7 * n), angle = 2.0 * M_PI * n / nodes;
@@ -126,7 +126,7 @@ TEST(FoldRelaxation, FoldedRingSlipsWithoutDriftOrRotation)
 
 TEST(FoldRelaxation, TurnedAndStifferNetworksSlipAlike)
 {
-  FiberNetwork network = random_network(30, 23);
+  FibreNetwork network = random_network(30, 23);
   const std::vector<Vec3> V = slip(network, network.X);
   const auto turned = [](const Vec3& x) { return Vec3{5.0 - x[1], 6.0 + x[0], 7.0 + x[2]}; };
   std::vector<Vec3> X;
@@ -139,7 +139,7 @@ TEST(FoldRelaxation, TurnedAndStifferNetworksSlipAlike)
 
 TEST(FoldRelaxation, TetheredNodesStay)
 {
-  const FiberNetwork network = random_network(30, 29);
+  const FibreNetwork network = random_network(30, 29);
   const std::vector<Vec3> V = slip(network, network.X);
   double fastest = 0.0;
   for (const Vec3& v : V) fastest = std::max(fastest, norm(v));
@@ -149,10 +149,10 @@ TEST(FoldRelaxation, TetheredNodesStay)
 
 TEST(FoldRelaxation, ARanksPartSlipsAsTheWholeDoes)
 {
-  const FiberNetwork network = random_network(30, 31);
+  const FibreNetwork network = random_network(30, 31);
   const std::vector<Vec3> V = slip(network, network.X);
   const std::vector<int> owned{7, 3, 21, 12, 9};
-  const FiberPart part = restrict_to(network, owned);
+  const FibrePart part = restrict_to(network, owned);
   const std::vector<Vec3> W = slip(part.network, part.network.X);
   for (std::size_t n = 0; n < owned.size(); ++n) EXPECT_EQ(W[n], V[static_cast<std::size_t>(owned[n])]);
 }

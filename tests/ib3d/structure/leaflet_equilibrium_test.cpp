@@ -1,4 +1,4 @@
-#include "ib3d/structure/leaflet_equilibrium.hpp"
+#include "ib3d/structure/aortic_root/leaflet_equilibrium.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
-#include "ib3d/structure/fiber_force.hpp"
-#include "ib3d/structure/root_shape.hpp"
+#include "ib3d/structure/aortic_root/root_shape.hpp"
+#include "ib3d/structure/fibres/fibre_force.hpp"
 
 namespace valsalva::ib3d {
 namespace {
@@ -72,7 +72,7 @@ TEST(LeafletEquilibrium, InnerNodesAreInBalance)
   const double pressure = common::dyn_cm2_from_mmHg(85.0);
   std::vector<Vec3> load(found.X.size()), elastic(found.X.size());
   leaflet_load(lattice, pressure, found.X, load);
-  fiber_force(lattice.network, found.X, elastic);
+  fibre_force(lattice.network, found.X, elastic);
   const double node_load = pressure * lattice.row_distance * lattice.column_distance;
   for (std::size_t i = 0; i < load.size(); ++i) {
     if (lattice.on_edge[i] == 0) {
@@ -87,7 +87,7 @@ TEST(LeafletEquilibrium, AttachmentBearsThePressureOnAThirdOfTheTube)
   const double pressure = common::dyn_cm2_from_mmHg(85.0);
   std::vector<Vec3> load(found.X.size()), elastic(found.X.size());
   leaflet_load(lattice, pressure, found.X, load);
-  fiber_force(lattice.network, found.X, elastic);
+  fibre_force(lattice.network, found.X, elastic);
   Vec3 total_load{0.0, 0.0, 0.0}, reaction{0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < load.size(); ++i) {
     total_load += load[i];

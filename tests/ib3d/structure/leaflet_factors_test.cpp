@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ib3d/structure/aortic_root.hpp"
+#include "ib3d/structure/aortic_root/aortic_root.hpp"
 
 namespace valsalva::ib3d {
 namespace {
@@ -25,18 +25,18 @@ const AorticRoot& normal_root()
   return root;
 }
 
-const Vec3& at(const FiberNetwork& network, int node)
+const Vec3& at(const FibreNetwork& network, int node)
 {
   return network.X[static_cast<std::size_t>(node)];
 }
 
 double distance_from_axis(const Vec3& x)
 {
-  return std::hypot(x[0] - kRoot.center[0], x[1] - kRoot.center[1]);
+  return std::hypot(x[0] - kRoot.centre[0], x[1] - kRoot.centre[1]);
 }
 
 /// Distance of the middle of a leaflet's free edge from the axis, cm.
-double reach(const FiberNetwork& network, std::size_t leaflet)
+double reach(const FibreNetwork& network, std::size_t leaflet)
 {
   const std::vector<int>& edge = network.free_edges[leaflet];
   return distance_from_axis(at(network, edge[edge.size() / 2]));
@@ -47,7 +47,7 @@ TEST(LeafletFactors, LeaveTheOtherLeafletsAndTheWallAsTheyAre)
   std::array<LeafletFactors, 3> factors;
   factors[1].height = 0.8;
   const AorticRoot changed = designed(factors);
-  const FiberNetwork &now = changed.network, &normal = normal_root().network;
+  const FibreNetwork &now = changed.network, &normal = normal_root().network;
   ASSERT_EQ(now.groups.size(), normal.groups.size());
   for (std::size_t g = 0; g < normal.groups.size(); ++g) {
     const NodeGroup &a = now.groups[g], &b = normal.groups[g];
@@ -93,8 +93,8 @@ TEST(LeafletFactors, FusedLeafletsAreJoinedToTheirMirrorImagesBetweenThemOnly)
 {
   std::array<LeafletFactors, 3> factors;
   factors[0].fused_share = 0.5;
-  const FiberNetwork root = designed(factors).network;
-  const FiberNetwork& normal = normal_root().network;
+  const FibreNetwork root = designed(factors).network;
+  const FibreNetwork& normal = normal_root().network;
   const auto first = static_cast<std::size_t>(normal.springs.count());
   ASSERT_GT(root.springs.count(), normal.springs.count());
   const double angle = std::numbers::pi / 3;  // the commissure between leaflets 1 and 2
@@ -115,7 +115,7 @@ TEST(LeafletFactors, TheFusedPartOfTheFreeEdgeGrowsWithTheShare)
   const auto joined_on_edge = [](double share) {
     std::array<LeafletFactors, 3> factors;
     factors[0].fused_share = share;
-    const FiberNetwork root = designed(factors).network;
+    const FibreNetwork root = designed(factors).network;
     const std::vector<int>& edge = root.free_edges[0];
     double joined = 0;
     for (std::size_t n = static_cast<std::size_t>(normal_root().network.springs.count());

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "ib3d/structure/fiber_network.hpp"
+#include "ib3d/structure/fibres/fibre_network.hpp"
 
 namespace valsalva::ib3d {
 
@@ -18,12 +18,12 @@ inline std::vector<Vec3> random_vectors(int count, unsigned seed)
   return v;
 }
 
-inline FiberNetwork random_network(int nodes, unsigned seed)
+inline FibreNetwork random_network(int nodes, unsigned seed)
 {
   std::mt19937 generator(seed);
   std::uniform_int_distribution<int> node(0, nodes - 1);
   std::uniform_real_distribution<double> uniform(0.5, 1.5);
-  FiberNetwork network;
+  FibreNetwork network;
   network.X = random_vectors(nodes, seed + 1);
   for (int n = 0; n < 4 * nodes; ++n) {
     const int a = node(generator), b = (a + 1 + n % (nodes - 1)) % nodes;

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <filesystem>
 
-#include "coupling/case_keys.hpp"
-#include "coupling/model_from_case.hpp"
 #include "ib3d/output/mpi_session.hpp"
+#include "setup/build_model.hpp"
+#include "setup/case_keys.hpp"
 
 namespace valsalva::coupling {
+
+using namespace setup;
 namespace {
 
 /// The coarse aortic root with the ventricle's pressure rising at once, so that the valve moves, and arteries that

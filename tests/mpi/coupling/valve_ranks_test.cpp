@@ -6,10 +6,12 @@
 #include <cmath>
 #include <filesystem>
 
-#include "coupling/case_keys.hpp"
-#include "coupling/model_from_case.hpp"
+#include "setup/build_model.hpp"
+#include "setup/case_keys.hpp"
 
 namespace valsalva::coupling {
+
+using namespace setup;
 namespace {
 
 struct Outcome {
@@ -30,7 +32,7 @@ Outcome run(MPI_Comm comm, int steps, const std::vector<std::string>& more = {})
   CaseModel m(c, comm, timers);
   for (int n = 0; n < steps; ++n) m.model().advance(m.model().next_step(1.0));
   const InterfaceState& end = m.model().interface();
-  const ib3d::NodeOwner& nodes = m.root().nodes();
+  const ib3d::NodeDistribution& nodes = m.root().nodes();
   std::vector<Vec3> markers;
   for (const ib3d::Marker& marker : m.root().markers().gather(comm)) markers.push_back(marker.X);
   return {end.flow_ml_s, end.pressure_mmHg, m.circulation().state().y, nodes.gather(m.root().X()), markers};

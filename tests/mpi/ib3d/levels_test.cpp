@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "ib3d/fluid/tube.hpp"
+#include "ib3d/immersed_boundary.hpp"
 #include "ib3d/output/mpi_session.hpp"
 #include "ib3d/output/probes.hpp"
-#include "ib3d/root_solver.hpp"
 
 namespace valsalva::ib3d {
 namespace {
@@ -17,9 +17,9 @@ const Vec3 kSize{2, 2, 4};
 constexpr double kH = 2.0 / 32;
 
 /// A closed ring of springs under tension, out of round, that relaxes.
-FiberNetwork ring(const Vec3& centre)
+FibreNetwork ring(const Vec3& centre)
 {
-  FiberNetwork network;
+  FibreNetwork network;
   const int n = 80;
   for (int i = 0; i < n; ++i) {
     const double a = 2 * M_PI * i / n;
@@ -39,12 +39,12 @@ struct RingFlow {
   {
     RefinementPolicy policy;
     policy.levels = levels;
-    const FiberNetwork network = ring({1, 1, 1.2});
+    const FibreNetwork network = ring({1, 1, 1.2});
     const Hierarchy grid(walled_box(kSize), kH, comm, refine(walled_box(kSize), kH, policy, network.X),
                          network.X, boxes);
-    root = std::make_unique<RootSolver>(grid, two_discs(), FluidParameters{},
-                                        PressureOptions{"multilevel", tolerance, 100}, network,
-                                        StructureScheme::leapfrog, timers, policy);
+    root = std::make_unique<ImmersedBoundarySolver>(grid, two_discs(), FluidParameters{},
+                                                    PressureOptions{"multilevel", tolerance, 100}, network,
+                                                    StructureScheme::leapfrog, timers, policy);
   }
   void advance(int steps, double dt, double p_in)
   {
@@ -57,7 +57,7 @@ struct RingFlow {
   }
   std::vector<Vec3> X() const { return root->nodes().gather(root->X()); }
   Timers timers;
-  std::unique_ptr<RootSolver> root;
+  std::unique_ptr<ImmersedBoundarySolver> root;
 };
 
 double furthest_apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
@@ -80,9 +80,9 @@ TEST(Levels, RefinedGridMovesTheStructureAsAFineGridDoes)
 }
 
 /// A sphere of meridians and parallels under tension.
-FiberNetwork sphere(const Vec3& centre, double radius)
+FibreNetwork sphere(const Vec3& centre, double radius)
 {
-  FiberNetwork network;
+  FibreNetwork network;
   const int parallels = 31, meridians = 64;
   for (int j = 1; j <= parallels; ++j)
     for (int i = 0; i < meridians; ++i) {
@@ -108,12 +108,12 @@ TEST(Levels, PressureInASphereUnderTensionIsThatOfTheFineGrid)
   for (const int levels : {1, 2, 3}) {
     RefinementPolicy policy;
     policy.levels = levels;
-    const FiberNetwork network = sphere({1, 1, 2}, 0.45);
+    const FibreNetwork network = sphere({1, 1, 2}, 0.45);
     const Hierarchy grid(walled_box(kSize), kH, MPI_COMM_WORLD,
                          refine(walled_box(kSize), kH, policy, network.X), network.X);
     Timers timers;
-    RootSolver root(grid, two_discs(), {}, {"multilevel", 1e-6, 100}, network, StructureScheme::leapfrog,
-                    timers, policy);
+    ImmersedBoundarySolver root(grid, two_discs(), {}, {"multilevel", 1e-6, 100}, network,
+                                StructureScheme::leapfrog, timers, policy);
     for (int step = 0; step < 3; ++step) {
       root.begin_step(1e-4);
       root.solve_fluid({0, 0});

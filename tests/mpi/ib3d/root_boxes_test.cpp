@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "ib3d/fluid/tube.hpp"
+#include "ib3d/immersed_boundary.hpp"
 #include "ib3d/output/mpi_session.hpp"
-#include "ib3d/root_solver.hpp"
 #include "ib3d/structure/random_network.hpp"
 
 namespace valsalva::ib3d {
@@ -16,9 +16,9 @@ namespace {
 const Vec3 kSize{2, 2, 4};
 
 /// A tangle of strong springs across the whole box.
-FiberNetwork tangle()
+FibreNetwork tangle()
 {
-  FiberNetwork network = random_network(150, 5);
+  FibreNetwork network = random_network(150, 5);
   for (Vec3& x : network.X) x = {1 + 0.95 * x[0], 1 + 0.95 * x[1], 2 + 1.95 * x[2]};
   for (double& k : network.springs.stiffness) k *= 20;
   return network;
@@ -47,7 +47,7 @@ struct TangleRun {
   }
   Timers timers;
   Hierarchy grid;
-  RootSolver root;
+  ImmersedBoundarySolver root;
 };
 
 /// Largest velocity of `one` (one box on every rank), and largest difference of `many` from it.
@@ -91,19 +91,19 @@ void expect_the_same(int boxes, StructureScheme scheme, double fold_relaxation =
   EXPECT_LT(furthest_apart(positions(one), positions(many)), 1e-11 * speed);
 }
 
-TEST(RootSolver, LeapfrogDoesNotNoticeTheBoxes)
+TEST(ImmersedBoundarySolver, LeapfrogDoesNotNoticeTheBoxes)
 {
   expect_the_same(0, StructureScheme::leapfrog);
   expect_the_same(8, StructureScheme::leapfrog);
 }
 
-TEST(RootSolver, MidpointDoesNotNoticeTheBoxes)
+TEST(ImmersedBoundarySolver, MidpointDoesNotNoticeTheBoxes)
 {
   expect_the_same(0, StructureScheme::midpoint);
   expect_the_same(6, StructureScheme::midpoint);
 }
 
-TEST(RootSolver, FoldsFlattenWhateverTheBoxes)
+TEST(ImmersedBoundarySolver, FoldsFlattenWhateverTheBoxes)
 {
   const TangleRun with(MPI_COMM_SELF, 1, StructureScheme::leapfrog, 4e-3),
       without(MPI_COMM_SELF, 1, StructureScheme::leapfrog);
@@ -112,7 +112,7 @@ TEST(RootSolver, FoldsFlattenWhateverTheBoxes)
   expect_the_same(6, StructureScheme::midpoint, 4e-3);
 }
 
-TEST(RootSolver, FoldsFlattenOnBitForBitAfterARestart)
+TEST(ImmersedBoundarySolver, FoldsFlattenOnBitForBitAfterARestart)
 {
   const std::string path = shared_file("folds.h5");
   TangleRun whole(MPI_COMM_WORLD, 8, StructureScheme::leapfrog, 4e-3),

@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include "common/comm.hpp"
+#include "common/end_together.hpp"
+#include "common/error.hpp"
+
+namespace valsalva::common {
+
+TEST(Ranks, SumRunsInRankOrderAndIsTheSameEverywhere)
+{
+  const Communicator comm;
+  double in_order = 0.0;
+  for (int r = 0; r < comm.size(); ++r) in_order += 1.0 / (3.0 + r);
+  const double sum = comm.sum(1.0 / (3.0 + comm.rank()));
+  EXPECT_EQ(sum, in_order);
+  EXPECT_EQ(comm.min(sum), comm.max(sum));
+}
+
+TEST(Ranks, LargestSmallestAndAnyAreOverAllRanks)
+{
+  const Communicator comm;
+  EXPECT_EQ(comm.max(comm.rank()), comm.size() - 1.0);
+  EXPECT_EQ(comm.min(-comm.rank()), 1.0 - comm.size());
+  EXPECT_TRUE(comm.any(comm.rank() == comm.size() - 1));
+  EXPECT_FALSE(comm.any(false));
+  EXPECT_EQ(comm.from_rank_0(7.0 + comm.rank()), 7.0);
+}
+
+TEST(Ranks, ErrorFoundByAllEndsAllWithTheSameCode)
+{
+  const Communicator comm;
+  EXPECT_EQ(end_together(comm, []() -> int { throw CaseError("time.end_s", "printed once"); }), 2);
+}
+
+TEST(Ranks, ErrorOfOneRankAtTheEndIsTheCodeOfAll)
+{
+  const Communicator comm;
+  const auto last_rank_fails = [&] {
+    if (comm.rank() == comm.size() - 1) throw IoError("printed once, by the last rank");
+    return 0;
+  };
+  EXPECT_EQ(end_together(comm, last_rank_fails), 4);
+}
+
+TEST(OnRoot, AFailureOfRankZeroIsAFailureOfAllRanks)
+{
+  const Communicator comm;
+  int runs = 0;
+  on_rank_0(comm, [&] { ++runs; });
+  EXPECT_EQ(comm.sum(runs), 1);
+  EXPECT_THROW(on_rank_0(comm, [] { throw IoError("the disk is full"); }), IoError);
+}
+
+}  // namespace valsalva::common

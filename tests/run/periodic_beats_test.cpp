@@ -1,0 +1,70 @@
+// When beats count as repeating.
+#include "run/beats/periodic_beats.hpp"
+
+#include <gtest/gtest.h>
+
+#include "setup/case_keys.hpp"
+
+namespace valsalva::run {
+
+using namespace coupling;
+using namespace setup;
+namespace {
+
+CaseFile case_with(const std::string& time)
+{
+  return CaseFile::parse("[time]\nend_s = 8.0\n" + time, "case.toml", case_keys());
+}
+
+BeatMetrics beat(int number, double stroke, double systolic, double period = 0.8)
+{
+  BeatMetrics m;
+  m.beat = number;
+  m.period_s = period;
+  m.stroke_volume_ml = stroke;
+  m.p_ao_systolic_mmHg = systolic;
+  m.p_ao_mean_mmHg = 95;
+  m.p_ao_diastolic_mmHg = 80;
+  return m;
+}
+
+TEST(PeriodicBeats, StopsAfterTheFirstBeatOfWhichNothingChangedByMore)
+{
+  PeriodicBeats beats(case_with("period_s = 0.8\nstop_when_periodic_within = 0.01"));
+  beats.add(beat(1, 70.0, 120.0));
+  EXPECT_FALSE(beats.reached());
+  EXPECT_NE(beats.add(beat(2, 70.5, 123.0)).find("change from beat 1: 2.4 % (systolic"), std::string::npos);
+  EXPECT_FALSE(beats.reached());
+  beats.add(beat(3, 72.0, 123.1));  // 2 % of stroke volume
+  EXPECT_FALSE(beats.reached());
+  beats.add(beat(4, 72.5, 123.0));
+  EXPECT_TRUE(beats.reached());
+  EXPECT_EQ(beats.outcome(), "periodic after 4 beats");
+}
+
+TEST(PeriodicBeats, NeitherAShortenedBeatNorAGapCountsAsTheNext)
+{
+  PeriodicBeats beats(case_with("period_s = 0.8\nstop_when_periodic_within = 0.01"));
+  beats.add(beat(1, 70.0, 120.0));
+  beats.add(beat(2, 70.0, 120.0, 0.5));
+  EXPECT_FALSE(beats.reached());
+  beats.add(beat(3, 70.0, 120.0));
+  EXPECT_FALSE(beats.reached());
+  beats.add(beat(4, 70.0, 120.0));
+  EXPECT_TRUE(beats.reached());
+}
+
+TEST(PeriodicBeats, WithoutToleranceARunGoesOn)
+{
+  PeriodicBeats beats(case_with("period_s = 0.8"));
+  for (int n = 1; n < 4; ++n) beats.add(beat(n, 70.0, 120.0));
+  EXPECT_FALSE(beats.reached());
+}
+
+TEST(PeriodicBeats, ACaseWithoutAPeriodHasNothingToCompare)
+{
+  EXPECT_THROW(PeriodicBeats(case_with("stop_when_periodic_within = 0.01")), CaseError);
+}
+
+}  // namespace
+}  // namespace valsalva::run
