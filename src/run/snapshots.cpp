@@ -44,17 +44,17 @@ std::vector<int> group_of_nodes(const ib3d::FibreNetwork& whole)
 
 }  // namespace
 
-Snapshots::Snapshots(const std::string& folder, const CaseFile& c, setup::CaseModel& model,
+Snapshots::Snapshots(const std::string& folder, const setup::Output& output, setup::CaseModel& model,
                      const Communicator& comm)
     : folder_(folder),
       model_(model),
       comm_(comm),
       has_structure_(model.structure().network.node_count() > 0),
-      has_markers_(model.root().markers().wanted())
+      has_markers_(model.solver().markers().wanted())
 {
   const double never = std::numeric_limits<double>::infinity();
-  fields_.every_s = c.section("output").real("fields_every_s");
-  structure_.every_s = c.section("output").real("structure_every_s");
+  fields_.every_s = output.fields_every_s;
+  structure_.every_s = output.structure_every_s;
   if (fields_.every_s == 0) fields_.every_s = fields_.next_s = never;
   if (structure_.every_s == 0 || (!has_structure_ && !has_markers_))
     structure_.every_s = structure_.next_s = never;
@@ -105,7 +105,7 @@ void Snapshots::save_or_restore(Checkpoint& c)
 
 void Snapshots::write_fields(double t)
 {
-  const ib3d::NavierStokes& fluid = model_.root().fluid();
+  const ib3d::NavierStokes& fluid = model_.solver().fluid();
   std::vector<ib3d::AmrLevel> levels;
   for (std::size_t l = 0; l < fluid.u().size(); ++l) {
     const ib3d::Level& level = fluid.grid().levels()[l];
@@ -121,8 +121,8 @@ void Snapshots::write_fields(double t)
 
 void Snapshots::write_structure(const std::string& name, double t, bool wall)
 {
-  const ib3d::NodeDistribution& nodes = model_.root().nodes();
-  const std::vector<Vec3>& X = model_.root().X();
+  const ib3d::NodeDistribution& nodes = model_.solver().nodes();
+  const std::vector<Vec3>& X = model_.solver().X();
   const ib3d::FibrePart& part = nodes.part();
   const std::vector<int> group = group_of_nodes(nodes.whole());
   std::vector<std::string> names;
@@ -158,7 +158,7 @@ void Snapshots::write_structure(const std::string& name, double t, bool wall)
 
 void Snapshots::write_markers(const std::string& name, double t)
 {
-  const ib3d::Markers& markers = model_.root().markers();
+  const ib3d::Markers& markers = model_.solver().markers();
   std::vector<std::string> names;
   for (const ib3d::MarkerSeed& seed : markers.seeds()) names.push_back(seed.name);
   ib3d::MarkerPicture picture;

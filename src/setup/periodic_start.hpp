@@ -8,9 +8,8 @@
 
 #include <string>
 
-#include "casefile/case_file.hpp"
 #include "lumped/network/lumped_state.hpp"
-#include "lumped/network/network_spec.hpp"
+#include "setup/case.hpp"
 
 namespace valsalva::setup {
 
@@ -25,6 +24,6 @@ struct NetworkStart {
 /// The start of `spec`, the network of a 3D or a 0D run of `c`. CaseError without time.period_s, with a source
 /// that does not repeat, or if blood flows through a 3D root when the beat begins; SolverError if no periodic
 /// state is found.
-NetworkStart network_start(const CaseFile& c, lumped::NetworkSpec spec);
+NetworkStart network_start(const Case& c, lumped::NetworkSpec spec);
 
 }  // namespace valsalva::setup
