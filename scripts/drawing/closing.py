@@ -1,4 +1,4 @@
-"""closure: the flow as the valve closes, and an enlargement of the ten milliseconds in which it turns fastest.
+"""closure: the flow as the valve closes, and an enlargement of the ten milliseconds around its minimum.
 
 A smooth curve in the second panel is resolved in time; a numerical oscillation shows as a sawtooth of single steps.
 """
