@@ -24,7 +24,7 @@ def draw_columns(out, pictures):
 
 
 def _scenes(out):
-    """({view: Scene}, [(what, time, Fibers)])"""
+    """({view: Scene}, [(what, time, fibres)])"""
     frames = [(what, t, Fibers(path)) for what, t, path in choose_frames(out, leaflet_frames(out))]
     if not any(f.groups_like("leaflet") for _, _, f in frames):
         raise Missing("the files in structure/ have no group named leaflet")
@@ -33,7 +33,7 @@ def _scenes(out):
 
 
 def draw_panels(scene, frames, pictures, name, most_columns=3, page_width=style.PAGE_WIDTH):
-    """Draws one panel per (what, time, Fibers)."""
+    """Draws one panel per (what, time, fibres)."""
     size = scene.size
     columns = min(most_columns, len(frames))
     rows = -(-len(frames) // columns)

@@ -39,7 +39,7 @@ class Scene:
     """What the images of one view have in common: projection, limits in cm, annulus and a section of the wall."""
 
     def __init__(self, view, frames, wall):
-        """`frames`: the Fibers to be shown; `wall`: its points (n, 3) or None."""
+        """`frames`: the structures to be shown; `wall`: its points (n, 3) or None."""
         self.right, self.up, self.eye = (np.array(v, float) for v in VIEWS[view][:3])
         self.delay = VIEWS[view][3]
         self.annulus, radius = fit_annulus(frames[0])

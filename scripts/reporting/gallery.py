@@ -82,7 +82,7 @@ def _traces(above, below, beat, colors):
 
 
 def _valves(out):
-    """[(what, Fibers, Scene)]: the valve from above at peak flow and closed."""
+    """[(what, fibres, Scene)]: the valve from above at peak flow and closed."""
     chosen = choose_frames(out, leaflet_frames(out))
     open_, closed = ([frame for frame in chosen if frame[0] == what] for what in ("peak flow", "closed under load"))
     if not open_ or not closed:
