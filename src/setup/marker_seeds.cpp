@@ -82,6 +82,7 @@ std::vector<CaseProblem> marker_problems(const Case& c)
             fmt::format("has a plane at {:g} cm, but the box ends at {:g} cm; use heights inside the box", z,
                         c.domain.size[2]));
     const Planes planes(c, group);
+    if (planes.disc_radius == 0 && !group.centre_cm) continue;  // inside the wall, which must lie in the box
     const double reach = planes.largest_radius();
     for (std::size_t d = 0; d < 2; ++d)
       if (const double size = c.domain.size[static_cast<int>(d)];
