@@ -19,7 +19,10 @@ def write_inputs(folder, measured=None):
     if measured:
         shutil.copy(measured, folder / "measured.csv")
     for ending, lines in sheet().items():
-        (folder / f"sheet.{ending}").write_text("\n".join([str(len(lines)), *lines]) + "\n")
+        text = "\n".join([str(len(lines)), *lines]) + "\n"
+        (folder / f"sheet.{ending}").write_text(text)
+        if ending in ("vertex", "spring", "beam"):  # as a sheet, but nothing holds it, and its beams have equal sides
+            (folder / f"raft.{ending}").write_text(text)
 
 
 def beat_csv():

@@ -63,6 +63,10 @@ LEVELS = {
                        "structure.fold_relaxation_s": 0.0005},
     "explicit_coupling": {"coupling.scheme": "explicit", "fluid.advection": "limited", "grid.levels": 2},
 }
+# Of the refined tube.
+SIDES = {"sides_open": {"domain.sides": "open"}, "sides_periodic": {"domain.sides": "periodic"}}
+# A sheet without tethers, carried over several cells.
+ADRIFT = {"structure.files_prefix": "raft", "element.ventricle.pressure_mmHg": "[0.0, 20.0, 10.0, 0.0]"}
 
 
 def run(case, out, changes=None, *more, **how):
@@ -104,7 +108,7 @@ def of_bundled_cases(tree):
 
 ROOT, PAPER = "../tree/cases/aortic_root/case.toml", "../tree/cases/aortic_root/paper.toml"
 HEALTHY, HEART = "../tree/cases/healthy_adult/case.toml", "../tree/cases/lumped_heart/case.toml"
-TUBE = "../inputs/tube.toml"
+TUBE, SHEET = "../inputs/tube.toml", "../inputs/sheet.toml"
 
 
 def of_schemes():
@@ -118,10 +122,15 @@ def of_schemes():
     yield Recipe("short_beat", [run(ROOT, "out", SHORT_BEAT)])
     yield Recipe("tube", [run(TUBE, "out")])
     yield Recipe("tube.every_7_steps", [run(TUBE, "out", {"output.traces_every_steps": 7})])
-    for name in ["branches", "refined"]:
-        yield Recipe(name, [run(f"../inputs/{name}.toml", "out")])
+    yield Recipe("tube.tables_only", [run(TUBE, "out", {"output.fields_every_s": 0, "output.structure_every_s": 0})])
+    yield Recipe("branches", [run("../inputs/branches.toml", "out")])
+    yield Recipe("refined", [run("../inputs/refined.toml", "out")])
+    for name, changes in SIDES.items():
+        yield Recipe(f"refined.{name}", [run("../inputs/refined.toml", "out", changes)])
     for scheme in ["leapfrog", "midpoint"]:
-        yield Recipe(f"fibre_files.{scheme}", [run("../inputs/sheet.toml", "out", {"structure.scheme": scheme})])
+        yield Recipe(f"fibre_files.{scheme}", [run(SHEET, "out", {"structure.scheme": scheme})])
+    yield Recipe("fibre_files.adrift", [run(SHEET, "out", ADRIFT)])
+    yield Recipe("fibre_files.followed", [run(SHEET, "out", ADRIFT | {"grid.finest_cm": 0.0625, "grid.levels": 2})])
     yield Recipe("diverges", [run(ROOT, "out", short(0.01) | SURGE | {
         "grid.finest_cm": 0.208333, "time.dt_fixed_s": 1e-4, "element.ventricle.time_s": "[0.0, 0.002, 0.01]",
         "element.ventricle.pressure_mmHg": "[0.0, 0.0, 20000.0]"}, exit_code=3)])
@@ -143,19 +152,22 @@ def of_restarts(ranks):
     yield continued("levels", PAPER, surge | LEVELS["vorticity"], 0.006)
     yield continued("ventricle", HEALTHY, short(0.012), 0.006)
     yield continued("tube", TUBE, {"time.end_s": 0.3, "time.period_s": 0.02}, 0.05)
-    yield continued("fibre_files", "../inputs/sheet.toml", {"time.end_s": 0.02}, 0.01)
+    yield continued("fibre_files", SHEET, {"time.end_s": 0.02}, 0.01)
 
 
 def of_networks(has_measured):
-    yield Recipe("network", [run("../inputs/network.toml", "out")])
+    for name in ["network", "resistive"]:
+        yield Recipe(name, [run(f"../inputs/{name}.toml", "out")])
     yield Recipe("network.periodic_start", [run(HEART, "out", {"time.start": "periodic", "time.end_s": 1.6})])
+    yield Recipe("network.loop_periodic_start", [run("../tree/cases/four_chamber_loop/case.toml", "out",
+                                                     {"time.start": "periodic", "time.end_s": 1.6})])
     yield Recipe("network.until_periodic", [run(HEART, "out", {"time.stop_when_periodic_within": 0.002, "time.end_s": 40})])
 
     def fit(case, *more):
         return Command(["fit", case, "-o", "out", "--set", "output.pictures=false", *more])
-    yield Recipe("fit.signal", [fit("../inputs/fit_signal.toml")])
+    for name in ["signal", "targets", "elements", "loop"]:
+        yield Recipe(f"fit.{name}", [fit(f"../inputs/fit_{name}.toml")])
     yield Recipe("fit.from_start", [fit("../inputs/fit_signal.toml", "--set", "fit.periodic=false")])
-    yield Recipe("fit.targets", [fit("../inputs/fit_targets.toml")])
     if has_measured:
         for case in ["case", "four_elements"]:
             yield Recipe(f"fit.human_{case}", [fit(f"../tree/validation/human_windkessel/{case}.toml", "--data",
