@@ -74,6 +74,7 @@ int fit_case(const CaseFile& c, const FitOptions& options)
   Log log(true, options.out_dir + "/log.txt");
   log.line(c.section("").text("title") + "\n\n" + text);
   log.line("results in " + options.out_dir);
+  log.check();
   return 0;
 }
 
