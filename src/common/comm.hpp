@@ -5,7 +5,8 @@
 
 #include <mpi.h>
 
-#include <cstdlib>
+#include <functional>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <type_traits>
@@ -15,13 +16,8 @@
 
 namespace valsalva::common {
 
-/// MPI_Init for everything that may open files. Open MPI's shared file pointers, which nothing here uses, are left out:
-/// they hang on the named semaphore that a killed run leaves behind.
-inline void start_mpi(int* argc = nullptr, char*** argv = nullptr)
-{
-  setenv("OMPI_MCA_sharedfp", "^sm", 0);
-  MPI_Init(argc, argv);
-}
+/// MPI_Init for everything that may open files.
+void start_mpi(int* argc = nullptr, char*** argv = nullptr);
 
 /// The lists of all ranks one after the other, on every rank; T is copied byte by byte. Collective.
 template <class T>
@@ -62,10 +58,15 @@ class Communicator {
     for (double part : gather(x)) total += part;
     return total;
   }
-  /// Collective.
-  double max(double x) const { return reduce(x, MPI_MAX); }
-  /// Collective.
-  double min(double x) const { return reduce(x, MPI_MIN); }
+  /// NaN if it is NaN on one rank. Collective.
+  double max(double x) const
+  {
+    double largest[2] = {x != x ? 1.0 : 0.0, x != x ? 0.0 : x};  // MPI_MAX may lose a NaN
+    if (size_ > 1) MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPI_DOUBLE, MPI_MAX, comm_);
+    return largest[0] > 0.0 ? std::numeric_limits<double>::quiet_NaN() : largest[1];
+  }
+  /// NaN if it is NaN on one rank. Collective.
+  double min(double x) const { return -max(-x); }
   /// True on all ranks if true on one. Collective.
   bool any(bool on) const { return max(on ? 1.0 : 0.0) > 0.5; }
   /// One number per rank, on all ranks. Collective.
@@ -88,33 +89,17 @@ class Communicator {
   }
 
  private:
-  double reduce(double x, MPI_Op op) const
-  {
-    double result = x;
-    if (size_ > 1) MPI_Allreduce(&x, &result, 1, MPI_DOUBLE, op, comm_);
-    return result;
-  }
-
   MPI_Comm comm_;
   int rank_ = 0;
   int size_ = 1;
 };
 
-/// Runs `work` on rank 0 only. If it throws an IoError, all ranks throw one, so that none waits for rank 0 inside the
+/// Runs `work` on rank 0 only. What it throws there all ranks throw, so that none waits for rank 0 inside the
 /// next collective call; only rank 0's has a message. Collective.
-template <class Work>
-void on_rank_0(const Communicator& comm, Work&& work)
-{
-  bool failed = false;
-  std::string why;
-  if (comm.is_rank_0()) try {
-      work();
-    } catch (const IoError& error) {
-      failed = true;
-      why = error.what();
-    }
-  if (comm.any(failed)) throw IoError(why);
-}
+void on_rank_0(const Communicator& comm, const std::function<void()>& work);
+
+/// The same; `values`, of the same length on all ranks, are then rank 0's. One broadcast. Collective.
+void on_rank_0(const Communicator& comm, const std::function<void()>& work, std::vector<double>& values);
 
 }  // namespace valsalva::common
 

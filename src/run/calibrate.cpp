@@ -9,6 +9,7 @@
 #include "common/error.hpp"
 #include "common/log.hpp"
 #include "common/output_folder.hpp"
+#include "common/text_file.hpp"
 #include "lumped/fit/fit.hpp"
 #include "run/fit_output.hpp"
 #include "setup/surrogate.hpp"
@@ -110,12 +111,13 @@ int calibrate(const setup::Case& c, const CalibrateOptions& options, const Commu
   common::create_output_folder(options.out_dir, options.force, c.source.resolved_toml(), comm);
   if (!comm.is_rank_0()) return 0;
   const std::string text = write_fit(options.out_dir, fit);
-  write_text(options.out_dir + "/surrogate.toml", surrogate_toml(c, fit, options));
+  common::write_text_file(options.out_dir + "/surrogate.toml", surrogate_toml(c, fit, options));
   Log log(true, options.out_dir + "/log.txt");
   log.line(
       fmt::format("Surrogate of the 3D root from beat {} of {}\n\n{}", options.beat, options.run_dir, text));
   log.line("results in " + options.out_dir + "; run it with\nvalsalva run --lumped " + options.out_dir +
            "/surrogate.toml");
+  log.check();
   return 0;
 }
 

@@ -44,7 +44,8 @@ std::vector<long> steps_in(const std::string& out)
 /// The same, as rank 0 sees them, on all ranks.
 std::vector<long> agreed_steps_in(const std::string& out, const Communicator& comm)
 {
-  std::vector<long> steps = comm.is_rank_0() ? steps_in(out) : std::vector<long>{};
+  std::vector<long> steps;
+  common::on_rank_0(comm, [&] { steps = steps_in(out); });
   steps.resize(static_cast<std::size_t>(comm.from_rank_0(static_cast<double>(steps.size()))));
   for (long& step : steps) step = std::lround(comm.from_rank_0(static_cast<double>(step)));
   return steps;
@@ -93,16 +94,14 @@ RunCheckpoints::RunCheckpoints(const std::string& folder, const setup::Case& c, 
       output_(std::move(output)),
       last_wall_s_(wall_s)
 {
-  if (comm.is_rank_0()) fs::create_directories(folder_of(folder));
-  comm.barrier();
+  common::on_rank_0(comm, [&] { fs::create_directories(folder_of(folder)); });
 }
 
 void RunCheckpoints::remove_where(const std::function<bool(long)>& unwanted) const
 {
-  if (!comm_.is_rank_0()) return;
-  std::error_code gone;
   for (long step : steps_in(folder_))
-    if (unwanted(step)) fs::remove(path_of(folder_, step), gone);
+    if (unwanted(step)) fs::remove(path_of(folder_, step));
+  std::error_code gone;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(folder_)))
     if (entry.path().extension() == ".part") fs::remove(entry.path(), gone);  // of a run that was killed
 }
@@ -120,12 +119,12 @@ void RunCheckpoints::write(long step, double wall_s)
   file.close();
   last_ = path;
   last_step_ = step;
-  if (!comm_.is_rank_0()) return;
-  const std::vector<long> steps = steps_in(folder_);
-  if (steps.size() > keep_) {
+  common::on_rank_0(comm_, [&] {
+    const std::vector<long> steps = steps_in(folder_);
+    if (steps.size() <= keep_) return;
     const long oldest = steps[steps.size() - keep_];
     remove_where([&](long s) { return s < oldest; });
-  }
+  });
 }
 
 void RunCheckpoints::restore(Checkpoint& file)
@@ -133,7 +132,7 @@ void RunCheckpoints::restore(Checkpoint& file)
   file("step", last_step_);
   last_ = file.path();
   state_(file);
-  remove_where([&](long s) { return s > last_step_; });
+  common::on_rank_0(comm_, [&] { remove_where([&](long s) { return s > last_step_; }); });
   output_(file);
 }
 

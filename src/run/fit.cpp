@@ -17,6 +17,7 @@ int fit_case(const setup::Case& c, const FitOptions& options, const Communicator
   Log log(true, options.out_dir + "/log.txt");
   log.line(c.title + "\n\n" + text);
   log.line("results in " + options.out_dir);
+  log.check();
   return 0;
 }
 

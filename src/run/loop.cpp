@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "common/end_together.hpp"
 #include "common/log.hpp"
 #include "common/output_folder.hpp"
 #include "common/stop_signal.hpp"
@@ -76,18 +77,22 @@ int run_coupled(const Case& c, const RunOptions& options, const Communicator& co
   }
 
   RunRecord record{options.case_path,
-                   "running",
+                   "",
+                   0,
                    0,
                    0,
                    0,
                    model.grid().valid_cell_count(),
                    model.structure().network.node_count()};
-  const auto write_record = [&](const std::string& outcome) {
-    record.outcome = outcome;
+  const auto update_record = [&] {
     record.t_s = coupled.t();
     record.steps = coupled.step();
     record.cells = model.grid().valid_cell_count();
     record.wall_s = wall_before + timers.wall();
+  };
+  const auto write_record = [&](const std::string& outcome) {
+    record.outcome = outcome;
+    update_record();
     write_run_record(options.out_dir, record, comm);
   };
   const auto tell_beat = [&](const BeatMetrics& beat) { log.line(beat_text(beat) + "\n" + beats.add(beat)); };
@@ -95,45 +100,49 @@ int run_coupled(const Case& c, const RunOptions& options, const Communicator& co
     const auto scope = timers.time("checkpoint");
     checkpoints.write(coupled.step(), timers.wall());
   };
-
-  write_record("running");
   ProgressLines progress(log, coupled, end, c.output.progress_every_s, timers.wall());
-  bool stopped = false;
-  try {
-    snapshots.write_due();
-    while (coupled.t() < end - 1e-12 && !stopped && !beats.reached()) {
-      const double step_begun = timers.wall();
-      const coupling::StepReport step =
-          coupled.advance(coupled.next_step(std::min({end, snapshots.next_time(), traces.beat_end()})));
-      {
-        const auto scope = timers.time("output");
-        if (const auto beat = traces.record(step, timers.wall() - step_begun)) tell_beat(*beat);
-        snapshots.write_due();
+  const auto run_to_end = [&] {
+    bool stopped = false;
+    write_record("running");
+    try {
+      snapshots.write_due();
+      while (coupled.t() < end - 1e-12 && !stopped && !beats.reached()) {
+        const double step_begun = timers.wall();
+        const coupling::StepReport step =
+            coupled.advance(coupled.next_step(std::min({end, snapshots.next_time(), traces.beat_end()})));
+        {
+          const auto scope = timers.time("output");
+          if (const auto beat = traces.record(step, timers.wall() - step_begun)) tell_beat(*beat);
+          snapshots.write_due();
+        }
+        progress.tell(step, traces.latest(), traces.beat(), timers.wall());
+        common::on_rank_0(comm, [&] { log.check(); });
+        stopped = comm.any(common::stop_requested());
+        if (comm.any(checkpoints.due(timers.wall()))) write_checkpoint();
       }
-      progress.tell(step, traces.latest(), traces.beat(), timers.wall());
-      stopped = comm.any(common::stop_requested());
-      if (comm.any(checkpoints.due(timers.wall()))) write_checkpoint();
+    } catch (const SolverError& error) {
+      fail_at(coupled, options.out_dir, checkpoints.last(), error);
     }
-  } catch (const SolverError& error) {
-    traces.flush();
-    write_record("failed");
-    fail_at(coupled, options.out_dir, checkpoints.last(), error);
-  }
-  write_checkpoint();
-  if (const auto beat = traces.finish()) tell_beat(*beat);
-  write_record(beats.reached() ? beats.outcome() : stopped ? "stopped by a signal" : "finished");
-  log.line(timers.table());
-  if (const ib3d::Markers& markers = model.solver().markers(); markers.lost() > 0)
-    log.line(fmt::format("{} of {} markers left the domain", markers.lost(), markers.set_out()));
-  if (stopped)
-    log.line(
-        fmt::format("stopped at t = {:.4f} s by a signal; all output is complete up to there", coupled.t()));
-  log.line("results in " + options.out_dir);
-  const char* purpose = beats.reached() ? "to continue with a smaller time.stop_when_periodic_within:"
-                        : stopped       ? "to continue:"
-                                        : "to continue with a later time.end_s:";
-  log.line(fmt::format("checkpoint {}\n{} {}", checkpoints.last(), purpose, options.continue_command));
-  if (beats.reached()) log.line(beats.outcome());
+    write_checkpoint();
+    if (const auto beat = traces.finish()) tell_beat(*beat);
+    log.line(timers.table());
+    if (const ib3d::Markers& markers = model.solver().markers(); markers.lost() > 0)
+      log.line(fmt::format("{} of {} markers left the domain", markers.lost(), markers.set_out()));
+    if (stopped)
+      log.line(fmt::format("stopped at t = {:.4f} s by a signal; all output is complete up to there", coupled.t()));
+    log.line("results in " + options.out_dir);
+    const char* purpose = beats.reached() ? "to continue with a smaller time.stop_when_periodic_within:"
+                          : stopped       ? "to continue:"
+                                          : "to continue with a later time.end_s:";
+    log.line(fmt::format("checkpoint {}\n{} {}", checkpoints.last(), purpose, options.continue_command));
+    if (beats.reached()) log.line(beats.outcome());
+    common::on_rank_0(comm, [&] { log.check(); });
+    write_record(beats.reached() ? beats.outcome() : stopped ? "stopped by a signal" : "finished");
+  };
+  common::note_failure(comm, run_to_end, [&] {
+    update_record();
+    write_failed_run_record(options.out_dir, record, comm);
+  });
   return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/end_together.hpp"
 #include "common/error.hpp"
 #include "common/log.hpp"
 #include "common/output_folder.hpp"
@@ -68,7 +69,7 @@ int run_lumped(const Case& c, const RunOptions& options, const Communicator& com
   lumped::LumpedState state = start.state;
   long steps = 0;
   bool stopped = false;
-  if (comm.is_rank_0()) {
+  const auto integrate = [&] {
     std::vector<std::string> names{"t_s"};
     for (const auto& q : network.observables()) names.push_back(q.name);
     for (const auto& s : network.states()) names.push_back(s.name);
@@ -115,13 +116,27 @@ int run_lumped(const Case& c, const RunOptions& options, const Communicator& com
     traces.flush();
     beats.flush();
     switchings.flush();
-  }
-  const std::string outcome = periodic.reached() ? periodic.outcome()
-                              : stopped          ? "stopped by a signal"
-                                                 : "finished";
-  write_run_record(options.out_dir, {options.case_path, outcome, state.t, timers.wall(), steps, 0, 0}, comm);
-  log.line("results in " + options.out_dir);
-  if (periodic.reached()) log.line(outcome);
+  };
+  RunRecord record{options.case_path, "running", 0, 0, 0, 0, 0, 0};
+  const auto update_record = [&] {
+    record.t_s = state.t;
+    record.wall_s = timers.wall();
+    record.steps = steps;
+  };
+  const auto run_to_end = [&] {
+    write_run_record(options.out_dir, record, comm);
+    common::on_rank_0(comm, integrate);
+    record.outcome = periodic.reached() ? periodic.outcome() : stopped ? "stopped by a signal" : "finished";
+    log.line("results in " + options.out_dir);
+    if (periodic.reached()) log.line(record.outcome);
+    common::on_rank_0(comm, [&] { log.check(); });
+    update_record();
+    write_run_record(options.out_dir, record, comm);
+  };
+  common::note_failure(comm, run_to_end, [&] {
+    update_record();
+    write_failed_run_record(options.out_dir, record, comm);
+  });
   return 0;
 }
 

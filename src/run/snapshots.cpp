@@ -58,13 +58,17 @@ Snapshots::Snapshots(const std::string& folder, const setup::Output& output, set
   if (fields_.every_s == 0) fields_.every_s = fields_.next_s = never;
   if (structure_.every_s == 0 || (!has_structure_ && !has_markers_))
     structure_.every_s = structure_.next_s = never;
-  if (comm.is_rank_0()) {
+  common::on_rank_0(comm, [&] {
     for (const char* sub : {"fields", "structure"}) std::filesystem::create_directories(folder + "/" + sub);
     field_series_.emplace(folder + "/fields/fields.hdf.series");
     if (has_structure_) structure_series_.emplace(folder + "/structure/leaflets.hdf.series");
     if (has_markers_) marker_series_.emplace(folder + "/structure/markers.hdf.series");
-  }
-  comm.barrier();
+  });
+}
+
+void Snapshots::list(std::optional<ib3d::FileSeries>& series, const std::string& name, double t) const
+{
+  common::on_rank_0(comm_, [&] { series->add(name, t); });
 }
 
 void Snapshots::write_due()
@@ -79,12 +83,12 @@ void Snapshots::write_due()
       if (structure_.count == 0) write_structure("wall.hdf", t, true);
       const std::string name = ib3d::numbered_file("leaflets", structure_.count);
       write_structure(name, t, false);
-      if (structure_series_) structure_series_->add(name, t);
+      list(structure_series_, name, t);
     }
     if (has_markers_) {
       const std::string name = ib3d::numbered_file("markers", structure_.count);
       write_markers(name, t);
-      if (marker_series_) marker_series_->add(name, t);
+      list(marker_series_, name, t);
     }
     structure_.done(t);
   }
@@ -116,7 +120,7 @@ void Snapshots::write_fields(double t)
   }
   const std::string name = ib3d::numbered_file("fields", fields_.count);
   ib3d::write_overlapping_amr(folder_ + "/fields/" + name, t, Vec3{0, 0, 0}, levels, comm_.raw());
-  if (field_series_) field_series_->add(name, t);
+  list(field_series_, name, t);
 }
 
 void Snapshots::write_structure(const std::string& name, double t, bool wall)

@@ -41,6 +41,8 @@ class Snapshots {
     }
   };
   static constexpr double kSameTime_s = 1e-9;
+  /// Adds a file to its list. Collective.
+  void list(std::optional<ib3d::FileSeries>& series, const std::string& name, double t) const;
   void write_fields(double t);
   void write_structure(const std::string& path, double t, bool wall);
   void write_markers(const std::string& path, double t);

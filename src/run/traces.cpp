@@ -62,9 +62,10 @@ Traces::Traces(const std::string& folder, const setup::Case& c, setup::CaseModel
 
 void Traces::begin()
 {
-  if (comm_.is_rank_0())
+  common::on_rank_0(comm_, [&] {
     for (File* file : {&steps_, &openings_, &probes_, &beats_})
       file->writer.emplace(path_of(*file), file->columns);
+  });
   statistics_.add(sample());
   write_row({}, 0.0);
   statistics_.begin(balance_state(model_.model()));
@@ -131,18 +132,20 @@ void Traces::write_row(const coupling::StepReport& step, double wall_s)
   const coupling::InterfaceState& now = model_.model().interface();
   const std::vector<ib3d::Opening>& discs = model_.solver().fluid().openings();
   const std::vector<double> probes = probe_row();
-  if (!comm_.is_rank_0()) return;
 
   std::vector<double> row{now.t_s};
   row.insert(row.end(), now.pressure_mmHg.begin(), now.pressure_mmHg.end());
   for (std::size_t m = 0; m < discs.size(); ++m) row.push_back(along_z(discs[m], now.flow_ml_s[m]));
   const std::vector<double>& y = model_.circulation().state().y;
   row.insert(row.end(), y.begin(), y.end());
-  openings_.writer->add(row);
-  probes_.writer->add(probes);
-  steps_.writer->add({static_cast<double>(step.step), now.t_s, step.dt_s, step.cfl,
-                      static_cast<double>(step.iterations), step.divergence_rms, step.divergence_max, wall_s},
-                     ib3d::limit_name(step.limited_by));
+  common::on_rank_0(comm_, [&] {
+    openings_.writer->add(row);
+    probes_.writer->add(probes);
+    steps_.writer->add(
+        {static_cast<double>(step.step), now.t_s, step.dt_s, step.cfl, static_cast<double>(step.iterations),
+         step.divergence_rms, step.divergence_max, wall_s},
+        ib3d::limit_name(step.limited_by));
+  });
 }
 
 std::optional<BeatMetrics> Traces::record(const coupling::StepReport& step, double wall_s)
@@ -157,7 +160,7 @@ std::optional<BeatMetrics> Traces::record(const coupling::StepReport& step, doub
 BeatMetrics Traces::close_beat()
 {
   const BeatMetrics metrics = statistics_.close(balance_state(model_.model()));
-  if (beats_.writer) beats_.writer->add(beat_row(metrics));
+  common::on_rank_0(comm_, [&] { beats_.writer->add(beat_row(metrics)); });
   flush();
   return metrics;
 }
@@ -171,8 +174,9 @@ std::optional<BeatMetrics> Traces::finish()
 
 void Traces::flush()
 {
-  for (File* file : {&steps_, &openings_, &probes_, &beats_})
-    if (file->writer) file->writer->flush();
+  common::on_rank_0(comm_, [&] {
+    for (File* file : {&steps_, &openings_, &probes_, &beats_}) file->writer->flush();
+  });
 }
 
 }  // namespace valsalva::run
