@@ -127,7 +127,7 @@ ib3d::RefinementPolicy refinement_from_case(const CaseFile& c)
   // Discs lie inside the finest level with two coarse cells to spare (else their shape would change at a regrid).
   const double margin = 4 * h_from_case(c);
   for (const ib3d::Opening& o : openings_from_case(c, domain_from_case(c))) {
-    const double z = o.side == 4 ? 0 : c.section("domain").reals("size_cm")[2] - margin;
+    const double z = o.side == ib3d::Side::z_lo ? 0 : c.section("domain").reals("size_cm")[2] - margin;
     const Vec3 reach{o.radius + margin, o.radius + margin, 0};
     ib3d::RefinedRegion disc{o.centre - reach, o.centre + reach, policy.levels - 1};
     disc.lo[2] = z;
@@ -144,8 +144,11 @@ std::vector<ib3d::Opening> openings_from_case(const CaseFile& c, const ib3d::Dom
   for (const CaseTable& t : c.tables("opening")) {
     const std::vector<double>& centre = t.reals("center_cm");
     const double r = t.real("radius_cm");
-    openings.push_back(
-        {t.text("name"), t.text("side") == "z_lo" ? 4 : 5, {centre[0], centre[1], 0}, r, t.text("port")});
+    openings.push_back({t.text("name"),
+                        t.text("side") == "z_lo" ? ib3d::Side::z_lo : ib3d::Side::z_hi,
+                        {centre[0], centre[1], 0},
+                        r,
+                        t.text("port")});
     for (std::size_t d = 0; d < 2; ++d)
       if (centre[d] - r < 0 || centre[d] + r > domain.size[static_cast<int>(d)])
         problems.push_back(t.problem(

@@ -40,8 +40,7 @@ struct Around {
           cell[c][d] = b[d].lower + (upper ? 1 : 0);
           weight[c] *= upper ? b[d].upper_weight : 1 - b[d].upper_weight;
         }
-        inside = inside && std::any_of(at.patches.begin(), at.patches.end(),
-                                       [&](const Patch& p) { return p.box.contains(cell[c]); });
+        inside = inside && at.patch_at(cell[c]) != nullptr;
       }
       if (inside) return;
     }

@@ -53,8 +53,7 @@ std::vector<double> matrix_rows(const PressureGrid& grid, int patch)
   rows.reserve(static_cast<std::size_t>(7 * box.volume()));
   for_each_index(box, [&](int, int, int) { rows.insert(rows.end(), {6, -1, -1, -1, -1, -1, -1}); });
   for (const SidePlane<float>& theta : grid.shares(patch)) {
-    const auto d = static_cast<std::size_t>(side_direction(theta.side));
-    theta.for_each(side_is_high(theta.side) ? box.hi[d] - 1 : box.lo[d], [&](const Int3& at, int a, int b) {
+    theta.for_each(box.cells_inside(theta.side), [&](const Int3& at, int a, int b) {
       const auto row = static_cast<std::size_t>(
           7 * (at[0] - box.lo[0] + box.size(0) * (at[1] - box.lo[1] + box.size(1) * (at[2] - box.lo[2]))));
       rows[row] -= 1 - 2 * static_cast<double>(theta(a, b));
