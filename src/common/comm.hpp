@@ -6,6 +6,7 @@
 #include <mpi.h>
 
 #include <cstdlib>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <type_traits>
@@ -62,10 +63,15 @@ class Communicator {
     for (double part : gather(x)) total += part;
     return total;
   }
-  /// Collective.
-  double max(double x) const { return reduce(x, MPI_MAX); }
-  /// Collective.
-  double min(double x) const { return reduce(x, MPI_MIN); }
+  /// NaN if it is NaN on one rank. Collective.
+  double max(double x) const
+  {
+    double largest[2] = {x != x ? 1.0 : 0.0, x != x ? 0.0 : x};  // MPI_MAX may lose a NaN
+    if (size_ > 1) MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPI_DOUBLE, MPI_MAX, comm_);
+    return largest[0] > 0.0 ? std::numeric_limits<double>::quiet_NaN() : largest[1];
+  }
+  /// NaN if it is NaN on one rank. Collective.
+  double min(double x) const { return -max(-x); }
   /// True on all ranks if true on one. Collective.
   bool any(bool on) const { return max(on ? 1.0 : 0.0) > 0.5; }
   /// One number per rank, on all ranks. Collective.
@@ -88,13 +94,6 @@ class Communicator {
   }
 
  private:
-  double reduce(double x, MPI_Op op) const
-  {
-    double result = x;
-    if (size_ > 1) MPI_Allreduce(&x, &result, 1, MPI_DOUBLE, op, comm_);
-    return result;
-  }
-
   MPI_Comm comm_;
   int rank_ = 0;
   int size_ = 1;

@@ -11,6 +11,8 @@ import subprocess
 import sys
 import tempfile
 
+import numpy as np
+
 program, root, scenario = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
 TUBE_TOLERANCE = 0.01
 COMPARED = ["stroke_volume_ml", "p_ao_mean_mmHg", "p_ao_systolic_mmHg", "p_ao_diastolic_mmHg"]
@@ -40,14 +42,14 @@ def run(case, out, *arguments, changes=()):
 
 
 def change(before, now):
-    return max(abs(now[name] - before[name]) / max(abs(now[name]), abs(before[name])) for name in COMPARED)
+    return np.max([abs(now[name] - before[name]) / max(abs(now[name]), abs(before[name])) for name in COMPARED])
 
 
 def expect_stopped_at_the_first_small_change(out, beats, tolerance):
     changes = [change(a, b) for a, b in zip(beats, beats[1:])]
     expect(len(changes) > 1, f"only {len(beats)} beats")
     expect(changes[-1] < tolerance, f"stopped although the last beat changed by {changes[-1]}")
-    expect(all(c >= tolerance for c in changes[:-1]), f"went on after changes of {changes}")
+    expect(np.all(np.array(changes[:-1]) >= tolerance), f"went on after changes of {changes}")
     words = f"periodic after {len(beats)} beats"
     outcome = json.loads((out / "run.json").read_text())["outcome"]
     expect(outcome == words, f"run.json says {outcome}, not {words}")

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/max_or_nan.hpp"
 #include "coupling/tube_model.hpp"
 
 namespace valsalva::coupling {
@@ -65,8 +66,8 @@ double growth_per_step(CouplingScheme scheme, const TubeLoad& load, double dt, i
   for (int n = 0; n < steps; ++n) {
     tube.model.advance(tube.model.next_step(1e9));
     const double distance = std::abs(tube.flow() - steady);
-    if (n < steps / 4) first = std::max(first, distance);
-    if (n >= steps - steps / 4) last = std::max(last, distance);
+    if (n < steps / 4) first = max_or_nan(first, distance);
+    if (n >= steps - steps / 4) last = max_or_nan(last, distance);
   }
   return std::pow(last / first, 1.0 / (steps - steps / 4));
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/max_or_nan.hpp"
 #include "lumped/specs.hpp"
 
 namespace valsalva::lumped::testing {
@@ -38,7 +39,7 @@ TEST(Chamber, DoubleHillReachesOneOnceAndHasItsShape)
     return h1 / (1.0 + h1) / (1.0 + h2);
   };
   double largest = 0.0;
-  for (int i = 1; i <= 80000; ++i) largest = std::max(largest, activation.value(1e-5 * i));
+  for (int i = 1; i <= 80000; ++i) largest = max_or_nan(largest, activation.value(1e-5 * i));
   EXPECT_NEAR(largest, 1.0, 1e-7);
   EXPECT_LE(largest, 1.0 + 1e-12);
   EXPECT_NEAR(activation.value(0.2) / activation.value(0.45), unscaled(0.2) / unscaled(0.45), 1e-12);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "common/error.hpp"
+#include "common/max_or_nan.hpp"
 #include "lumped/specs.hpp"
 
 namespace valsalva::lumped::testing {
@@ -124,11 +125,11 @@ TEST(LeftHeart, HasAPlausiblePeriodicBeatWhoseMeanPressureIsResistanceTimesOutpu
     integrator.advance(state, start.t + T * i / samples, {}, {});
     const double p = observed(network, state, "p_ao_mmHg"), V = state.y[0];
     mean += p / samples;
-    lowest = std::min(lowest, p);
-    highest = std::max(highest, p);
-    largest_V = std::max(largest_V, V);
-    smallest_V = std::min(smallest_V, V);
-    peak_flow = std::max(peak_flow, observed(network, state, "Q_aortic_ml_s"));
+    lowest = min_or_nan(lowest, p);
+    highest = max_or_nan(highest, p);
+    largest_V = max_or_nan(largest_V, V);
+    smallest_V = min_or_nan(smallest_V, V);
+    peak_flow = max_or_nan(peak_flow, observed(network, state, "Q_aortic_ml_s"));
   }
   const double stroke_volume = largest_V - smallest_V;
   EXPECT_EQ(network.states()[0].name, "ventricle.V_ml");

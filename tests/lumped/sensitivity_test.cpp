@@ -30,7 +30,8 @@ double difference(const Eigen::VectorXd& gradient, F&& f, const NetworkSpec& spe
     return (f(moved(spec, name, 1.0 + step)) - f(moved(spec, name, 1.0 - step))) / (2.0 * step);
   };
   const Eigen::VectorXd numerical = (4.0 * slope(h) - slope(2.0 * h)) / 3.0;
-  return (gradient - numerical).cwiseAbs().maxCoeff() / (1e-2 + numerical.cwiseAbs().maxCoeff());
+  return (gradient - numerical).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() /
+         (1e-2 + numerical.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
 }
 
 Eigen::VectorXd state_at(const NetworkSpec& spec, double t)

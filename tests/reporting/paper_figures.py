@@ -26,7 +26,7 @@ if abs(frequency - 36) > 0.3 or abs(decay - 12) > 0.3:
 # A saw of single steps on a smooth flow is rough, the flow alone is not.
 smooth = -100 * np.cos(20 * (t - 0.5))
 saw = smooth + 0.5 * (-1) ** np.arange(len(t))
-if statements.roughness(t, smooth) > 1e-3 or statements.roughness(t, saw) < 0.1:
+if not statements.roughness(t, smooth) <= 1e-3 or not statements.roughness(t, saw) >= 0.1:
     found.append(f"roughness: {statements.roughness(t, smooth)} smooth, {statements.roughness(t, saw)} with a saw")
 
 with tempfile.TemporaryDirectory() as scratch:

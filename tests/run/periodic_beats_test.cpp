@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "setup/case_keys.hpp"
 
 namespace valsalva::run {
@@ -52,6 +54,14 @@ TEST(PeriodicBeats, NeitherAShortenedBeatNorAGapCountsAsTheNext)
   EXPECT_FALSE(beats.reached());
   beats.add(beat(4, 70.0, 120.0));
   EXPECT_TRUE(beats.reached());
+}
+
+TEST(PeriodicBeats, ABeatWithoutAStrokeVolumeRepeatsNothing)
+{
+  PeriodicBeats beats(case_with("period_s = 0.8\nstop_when_periodic_within = 0.01"));
+  beats.add(beat(1, 70.0, 120.0));
+  beats.add(beat(2, std::numeric_limits<double>::quiet_NaN(), 120.0));
+  EXPECT_FALSE(beats.reached());
 }
 
 TEST(PeriodicBeats, WithoutToleranceARunGoesOn)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "common/max_or_nan.hpp"
 #include "ib3d/structure/aortic_root/root_shape.hpp"
 #include "setup/build_model.hpp"
 #include "setup/case_keys.hpp"
@@ -37,7 +38,7 @@ TEST(MarkerSeeds, FillTheLumenOfTheRootACellShortOfTheWall)
   double area[2] = {0, 0}, furthest = -1e9, tube = root.annulus_radius - h;
   for (const Vec3& X : seeds[1].points) {
     const double x = X[0] - root.centre[0], y = X[1] - root.centre[1];
-    furthest = std::max(furthest, std::hypot(x, y) - ib3d::wall_radius(root, h, std::atan2(y, x), X[2]));
+    furthest = max_or_nan(furthest, std::hypot(x, y) - ib3d::wall_radius(root, h, std::atan2(y, x), X[2]));
     area[X[2] < 2 ? 0 : 1] += spacing * spacing;
   }
   EXPECT_LE(furthest, -h + 1e-12);
@@ -62,7 +63,7 @@ TEST(MarkerSeeds, WithoutAnAorticRootADiscIsAsWideAsTheNarrowestOpening)
                                 "markers.aorta.spacing_cm=0.05", "opening.inlet.radius_cm=0.8"});
   const ib3d::MarkerSeed seed = seeds_of(c, 0.1)[1];
   double furthest = 0;
-  for (const Vec3& X : seed.points) furthest = std::max(furthest, std::hypot(X[0] - 2.5, X[1] - 2.5));
+  for (const Vec3& X : seed.points) furthest = max_or_nan(furthest, std::hypot(X[0] - 2.5, X[1] - 2.5));
   EXPECT_NEAR(furthest, 0.8, 0.051);
 }
 

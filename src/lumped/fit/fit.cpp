@@ -27,7 +27,7 @@ Eigen::MatrixXd statistics(const Eigen::MatrixXd& J, double s_squared, Fit& resu
   // Columns scaled to 1: the rank is not to depend on the units of a linear unknown.
   const Eigen::Index n = J.cols();
   Eigen::VectorXd scale = J.colwise().norm();
-  const double largest = scale.maxCoeff();
+  const double largest = scale.maxCoeff<Eigen::PropagateNaN>();
   for (Eigen::Index k = 0; k < n; ++k)
     if (scale[k] <= kRankTolerance * largest) scale[k] = largest;
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J * scale.cwiseInverse().asDiagonal(),

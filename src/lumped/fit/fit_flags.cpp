@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/max_or_nan.hpp"
 #include "lumped/network/element_types.hpp"
 
 namespace valsalva::lumped {
@@ -29,7 +30,7 @@ std::string length_flag(const std::string& what, const std::vector<double>& t, d
 {
   if (t.size() < 3) return "";
   double interval = 0.0;
-  for (std::size_t n = 1; n < t.size(); ++n) interval = std::max(interval, t[n] - t[n - 1]);
+  for (std::size_t n = 1; n < t.size(); ++n) interval = max_or_nan(interval, t[n] - t[n - 1]);
   const double length = t.back() - t.front() + interval;
   if (std::abs(length - period) <= (1.0 + kRounding) * interval) return "";
   return fmt::format(

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/error.hpp"
+#include "common/max_or_nan.hpp"
 
 namespace valsalva::lumped {
 
@@ -30,11 +31,11 @@ Eigen::VectorXd damped_step(const LeastSquares& at, const std::vector<Eigen::Ind
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(at.r.size() + count, count);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(at.r.size() + count);
   right.head(at.r.size()) = -at.r;
-  const double largest = at.J.colwise().norm().maxCoeff();
+  const double largest = at.J.colwise().norm().maxCoeff<Eigen::PropagateNaN>();
   for (Eigen::Index k = 0; k < count; ++k) {
     const auto column = at.J.col(free[static_cast<std::size_t>(k)]);
     matrix.col(k).head(at.r.size()) = column;
-    matrix(at.r.size() + k, k) = std::sqrt(damping) * std::max(column.norm(), 1e-6 * largest);
+    matrix(at.r.size() + k, k) = std::sqrt(damping) * max_or_nan(column.norm(), 1e-6 * largest);
   }
   const Eigen::VectorXd step = matrix.householderQr().solve(right);
   Eigen::VectorXd full = Eigen::VectorXd::Zero(at.x.size());
@@ -56,7 +57,7 @@ LeastSquares levenberg_marquardt(const Residuals& residuals, Eigen::VectorXd x, 
   while (at.evaluations < options.most_evaluations) {
     const std::vector<Eigen::Index> free = free_unknowns(at, lowest, highest);
     if (!free.empty()) trial.x = (at.x + damped_step(at, free, damping)).cwiseMax(lowest).cwiseMin(highest);
-    const double length = (trial.x - at.x).cwiseAbs().maxCoeff();
+    const double length = (trial.x - at.x).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
     if (free.empty() || length <= options.step_tolerance || damping > kLargestDamping) {
       at.converged = true;
       return at;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "common/max_or_nan.hpp"
 #include "lumped/network/element_types.hpp"
 
 namespace valsalva::lumped {
@@ -96,8 +97,8 @@ class Shooting {
   double residual() const
   {
     const Eigen::ArrayXd y0 = as_vector(begin_.y), y1 = as_vector(end_.y);
-    double largest = states_ > 0 ? ((y1 - y0).abs() / (1.0 + y0.abs())).maxCoeff() : 0.0;
-    if (is_closed_) largest = std::max(largest, std::abs(network_.volume(begin_) / target_volume_ - 1.0));
+    double largest = states_ > 0 ? ((y1 - y0).abs() / (1.0 + y0.abs())).maxCoeff<Eigen::PropagateNaN>() : 0.0;
+    if (is_closed_) largest = max_or_nan(largest, std::abs(network_.volume(begin_) / target_volume_ - 1.0));
     return largest;
   }
 

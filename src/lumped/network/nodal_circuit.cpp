@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "common/max_or_nan.hpp"
 
 namespace valsalva::lumped {
 
@@ -135,8 +136,8 @@ void NodalCircuit<Scalar>::solve_coupled_resistors()
     double largest_change = 0.0, largest_flow = 1e-6;
     for (std::size_t i = 0; i < count; ++i) {
       Q_[i] -= residual_[i];
-      largest_change = std::max(largest_change, std::abs(value_of(residual_[i])));
-      largest_flow = std::max(largest_flow, std::abs(value_of(Q_[i])));
+      largest_change = max_or_nan(largest_change, std::abs(value_of(residual_[i])));
+      largest_flow = max_or_nan(largest_flow, std::abs(value_of(Q_[i])));
     }
     if (largest_change <= 1e-13 * largest_flow) {
       for (std::size_t i = 0; i < count; ++i) resistors_[i].Q = Q_[i];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/max_or_nan.hpp"
 #include "common/units.hpp"
 
 namespace valsalva::run {
@@ -81,13 +82,13 @@ BeatMetrics measure_beat(int beat, const std::vector<BeatSample>& s)
     m.mean_gradient_mmHg =
         integral(s, open, fall, [](const BeatSample& x) { return x.p_ventricle_mmHg - x.p_aorta_mmHg; }) /
         m.ejection_time_s;
-  for (const BeatSample& x : s) m.max_orifice_area_cm2 = std::max(m.max_orifice_area_cm2, x.orifice_cm2);
+  for (const BeatSample& x : s) m.max_orifice_area_cm2 = max_or_nan(m.max_orifice_area_cm2, x.orifice_cm2);
   // Diastolic: the lowest before ejection that the circulation itself made, so not the ramp from zero of a
   // first beat.
   m.p_ao_systolic_mmHg = m.p_ao_diastolic_mmHg = s[open].p_aorta_mmHg;
   for (std::size_t n = open; n <= end; ++n) {
-    m.p_ao_systolic_mmHg = std::max(m.p_ao_systolic_mmHg, s[n].p_aorta_mmHg);
-    m.p_ao_diastolic_mmHg = std::min(m.p_ao_diastolic_mmHg, s[n].p_aorta_mmHg);
+    m.p_ao_systolic_mmHg = max_or_nan(m.p_ao_systolic_mmHg, s[n].p_aorta_mmHg);
+    m.p_ao_diastolic_mmHg = min_or_nan(m.p_ao_diastolic_mmHg, s[n].p_aorta_mmHg);
   }
   return m;
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "common/max_or_nan.hpp"
 #include "setup/network_from_case.hpp"
 
 namespace valsalva::run {
@@ -25,12 +26,11 @@ std::string PeriodicBeats::add(const BeatMetrics& beat)
   const char* most = "";
   double largest = -1;
   const auto compare = [&](const char* name, double now, double& before) {
-    const double scale = std::max(std::abs(now), std::abs(before));
-    const double change = scale > 0 ? std::abs(now - before) / scale : 0.0;
-    if (change > largest) {
-      largest = change;
-      most = name;
-    }
+    const double scale = max_or_nan(std::abs(now), std::abs(before));
+    const double change = scale == 0 ? 0.0 : std::abs(now - before) / scale;
+    const double before_this = largest;
+    largest = max_or_nan(largest, change);
+    if (largest != before_this) most = name;
     before = now;
   };
   compare("stroke volume", beat.stroke_volume_ml, stroke_volume_);

@@ -1,5 +1,6 @@
 // A vortex that the stream carries through the edge of a refined level: what it leaves behind is the reflection of the
 // edge.
+#include "common/max_or_nan.hpp"
 #include "ib3d/fluid/carried_vortex.hpp"
 
 namespace valsalva::ib3d {
@@ -23,7 +24,7 @@ double left_behind(Advection advection, double from, double to)
     const double h = grid.levels()[l].h, x = (i + 0.5) * h;
     if (x < 2 || x > kEnd - 5 * kCore) return;
     for (int c = 0; c < 3; ++c)
-      largest = std::max(largest, std::abs(vortex.fluid->u()[l](p, c)(i, j, k) - (c == 0 ? kStream : 0.0)));
+      largest = max_or_nan(largest, std::abs(vortex.fluid->u()[l](p, c)(i, j, k) - (c == 0 ? kStream : 0.0)));
   });
   return largest;
 }

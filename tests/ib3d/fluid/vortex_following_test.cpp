@@ -1,4 +1,5 @@
 // The grid follows vorticity: a vortex that the stream carries never reaches cells that are not refined.
+#include "common/max_or_nan.hpp"
 #include "ib3d/fluid/carried_vortex.hpp"
 #include "ib3d/fluid/vorticity.hpp"
 
@@ -16,7 +17,7 @@ double vorticity_not_refined(const NavierStokes& fluid)
     if (l > 0) return;
     const double dv = u[0](p, 1)(i, j, k) - u[0](p, 1)(i - 1, j, k),
                  du = u[0](p, 0)(i, j, k) - u[0](p, 0)(i, j - 1, k);
-    largest = std::max(largest, std::abs(dv - du) / kCoarse);
+    largest = max_or_nan(largest, std::abs(dv - du) / kCoarse);
   });
   return largest;
 }
@@ -45,7 +46,7 @@ TEST(Vorticity, AVortexThatTheFlowCarriesStaysOnTheFineLevel)
   std::vector<Refinement> grids;
   for (double x = 0; x < distance; x += kStream * dt) {
     vortex.step(dt);
-    largest = std::max(largest, vorticity_not_refined(*vortex.fluid));
+    largest = max_or_nan(largest, vorticity_not_refined(*vortex.fluid));
     moved += fastest * dt / h;
     if (moved < policy.margin_cells - 0.5) continue;
     moved = 0;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "common/max_or_nan.hpp"
 #include "ib3d/interaction/rotating_flow.hpp"
 
 namespace valsalva::ib3d {
@@ -21,7 +22,7 @@ double largest_error(const Hierarchy& grid, int steps)
   EXPECT_EQ(markers.local().size(), start.size());
   double error = 0;
   for (const Marker& m : markers.local())
-    error = std::max(error, norm(m.X - turned(start[static_cast<std::size_t>(m.id)], kEnd)));
+    error = max_or_nan(error, norm(m.X - turned(start[static_cast<std::size_t>(m.id)], kEnd)));
   return error;
 }
 

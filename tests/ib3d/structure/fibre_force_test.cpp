@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "common/max_or_nan.hpp"
 #include "ib3d/structure/fibres/fibre_strain.hpp"
 #include "random_network.hpp"
 #include "resultant.hpp"
@@ -13,9 +14,7 @@ namespace {
 
 double largest(const std::vector<Vec3>& v)
 {
-  double m = 0.0;
-  for (const Vec3& x : v) m = std::max(m, norm(x));
-  return m;
+  return max_or_nan(v, common::norm);
 }
 
 TEST(FibreForce, IsTheNegativeGradientOfTheEnergy)

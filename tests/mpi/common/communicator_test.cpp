@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "common/comm.hpp"
 #include "common/end_together.hpp"
 #include "common/error.hpp"
@@ -24,6 +27,16 @@ TEST(Ranks, LargestSmallestAndAnyAreOverAllRanks)
   EXPECT_TRUE(comm.any(comm.rank() == comm.size() - 1));
   EXPECT_FALSE(comm.any(false));
   EXPECT_EQ(comm.from_rank_0(7.0 + comm.rank()), 7.0);
+}
+
+TEST(Ranks, ANanOfOneRankIsTheLargestAndTheSmallest)
+{
+  const Communicator comm;
+  for (int r = 0; r < comm.size(); ++r) {
+    const double x = comm.rank() == r ? std::numeric_limits<double>::quiet_NaN() : 1.0;
+    EXPECT_TRUE(std::isnan(comm.max(x)));
+    EXPECT_TRUE(std::isnan(comm.min(x)));
+  }
 }
 
 TEST(Ranks, ErrorFoundByAllEndsAllWithTheSameCode)

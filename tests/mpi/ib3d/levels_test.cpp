@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/max_or_nan.hpp"
+#include "furthest_apart.hpp"
 #include "ib3d/fluid/tube.hpp"
 #include "ib3d/immersed_boundary.hpp"
 #include "ib3d/output/mpi_session.hpp"
@@ -59,13 +61,6 @@ struct RingFlow {
   Timers timers;
   std::unique_ptr<ImmersedBoundarySolver> root;
 };
-
-double furthest_apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
-{
-  double m = 0;
-  for (std::size_t n = 0; n < a.size(); ++n) m = std::max(m, norm(a[n] - b[n]));
-  return m;
-}
 
 TEST(Levels, RefinedGridMovesTheStructureAsAFineGridDoes)
 {
@@ -136,7 +131,7 @@ TEST(Levels, GridFollowsTheStructure)
   EXPECT_NE(before, grid.refinement());
   double highest = 0;
   for (const Vec3& x : run.X()) {
-    highest = std::max(highest, x[2]);
+    highest = max_or_nan(highest, x[2]);
     IndexBox support;
     for (std::size_t d = 0; d < 3; ++d) {
       support.lo[d] = static_cast<int>(std::floor(x[static_cast<int>(d)] / grid.finest().h)) - 2;

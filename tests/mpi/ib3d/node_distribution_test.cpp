@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "furthest_apart.hpp"
 #include "ib3d/fluid/tube.hpp"
 #include "ib3d/interaction/spread_interpolate.hpp"
 #include "ib3d/output/mpi_session.hpp"
@@ -35,13 +36,6 @@ FibreNetwork network()
   return n;
 }
 
-double largest_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
-{
-  double m = a.size() == b.size() ? 0 : 1e300;
-  for (std::size_t n = 0; n < std::min(a.size(), b.size()); ++n) m = std::max(m, norm(a[n] - b[n]));
-  return m;
-}
-
 std::vector<Vec3> local_values(const NodeDistribution& nodes, const std::vector<Vec3>& global)
 {
   std::vector<Vec3> local;
@@ -66,21 +60,20 @@ TEST(NodeDistribution, MovingAcrossBoxesKeepsPositionsAndForces)
     for (int round = 0; round < 4; ++round) {
       const std::vector<Vec3> wanted = positions(round);
       std::vector<Vec3> moved = local_values(nodes, wanted);
-      double out = nodes.farthest_out(moved);
-      MPI_Allreduce(MPI_IN_PLACE, &out, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+      const double out = Communicator().max(nodes.farthest_out(moved));
       EXPECT_EQ(out > kNodeDrift, round > 0 && level.patches.size() > 1);
       for (std::size_t n = static_cast<std::size_t>(nodes.owned()); n < moved.size(); ++n)
         moved[n] = {1e9, 1e9, 1e9};  // only the owner's word counts
       X = nodes.redistribute(moved);
       EXPECT_EQ(owned_by_all(nodes), kNodes);
       EXPECT_LE(nodes.farthest_out(X), 0);
-      EXPECT_EQ(largest_difference(nodes.gather(X), wanted), 0);
-      EXPECT_EQ(largest_difference(X, local_values(nodes, wanted)), 0);
+      EXPECT_EQ(furthest_apart(nodes.gather(X), wanted), 0);
+      EXPECT_EQ(furthest_apart(X, local_values(nodes, wanted)), 0);
 
       std::vector<Vec3> F(X.size()), F_whole(kNodes);
       fibre_force(nodes.part().network, X, F);
       fibre_force(nodes.whole(), wanted, F_whole);
-      EXPECT_LT(largest_difference(nodes.gather(F), F_whole), 1e-11);
+      EXPECT_LT(furthest_apart(nodes.gather(F), F_whole), 1e-11);
     }
   }
 }
@@ -127,7 +120,7 @@ TEST(NodeDistribution, CopiesHoldTheValuesOfTheOwners)
   std::vector<Vec3> values = local_values(nodes, wanted);
   std::fill(values.begin() + nodes.owned(), values.end(), Vec3{0, 0, 0});
   nodes.fill_copies(values);
-  EXPECT_EQ(largest_difference(values, local_values(nodes, wanted)), 0);
+  EXPECT_EQ(furthest_apart(values, local_values(nodes, wanted)), 0);
   const std::vector<int> few{17, 3, 190};
   const std::vector<Vec3> found = nodes.gather(values, few);
   for (std::size_t m = 0; m < few.size(); ++m)

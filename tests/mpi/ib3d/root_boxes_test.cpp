@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/max_or_nan.hpp"
+#include "furthest_apart.hpp"
 #include "ib3d/fluid/tube.hpp"
 #include "ib3d/immersed_boundary.hpp"
 #include "ib3d/output/mpi_session.hpp"
@@ -59,20 +61,11 @@ void compare(const TangleRun& one, const TangleRun& many, double& speed, double&
     for (int c = 0; c < 3; ++c)
       for_each_index(faces_of(level.local_box(p), c), [&](int i, int j, int k) {
         const double expected = one.root.fluid().u()[0](0, c)(i, j, k);
-        speed = std::max(speed, std::abs(expected));
-        difference = std::max(difference, std::abs(many.root.fluid().u()[0](p, c)(i, j, k) - expected));
+        speed = max_or_nan(speed, std::abs(expected));
+        difference = max_or_nan(difference, std::abs(many.root.fluid().u()[0](p, c)(i, j, k) - expected));
       });
-  double both[2] = {speed, difference};
-  MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
-  speed = both[0];
-  difference = both[1];
-}
-
-double furthest_apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
-{
-  double apart = 0;
-  for (std::size_t n = 0; n < a.size(); ++n) apart = std::max(apart, norm(a[n] - b[n]));
-  return apart;
+  speed = Communicator().max(speed);
+  difference = Communicator().max(difference);
 }
 
 std::vector<Vec3> positions(const TangleRun& run)
