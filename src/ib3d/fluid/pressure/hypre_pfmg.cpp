@@ -30,13 +30,16 @@ struct HyprePfmg::Handles {
 
 namespace {
 
+/// Throws for any error that hypre has noted so far.
 void check(const char* what)
 {
+  HYPRE_ClearError(HYPRE_ERROR_CONV);  // "not converged" after a fixed number of cycles is not an error here
   const HYPRE_Int error = HYPRE_GetError();
   if (error == 0) return;
+  char description[128] = "";
+  HYPRE_DescribeError(error, description);
   HYPRE_ClearAllErrors();
-  throw SolverError(
-      fmt::format("hypre could not {} (error {}); try pressure.solver = \"multilevel\"", what, error));
+  throw SolverError(fmt::format("hypre could not {}: {}(error {})", what, description, error));
 }
 
 /// hypre's boxes have inclusive upper corners.
@@ -138,7 +141,7 @@ void HyprePfmg::solve(const CellField<float>& r, CellField<float>& z)
       for (int i = 0; i < box.size(0); ++i) row[i] = static_cast<float>(*next++);
     });
   }
-  HYPRE_ClearAllErrors();  // "not converged" after the fixed number of cycles is not an error here
+  check("solve the pressure problem with PFMG");
 }
 
 }  // namespace valsalva::ib3d
