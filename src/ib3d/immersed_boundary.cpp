@@ -7,8 +7,10 @@
 #include <cstring>
 
 #include "common/error.hpp"
+#include "common/max_or_nan.hpp"
 #include "ib3d/fluid/vorticity.hpp"
 #include "ib3d/grid/field_checkpoint.hpp"
+#include "ib3d/grid/row_kernels.hpp"
 #include "ib3d/structure/fibres/fibre_force.hpp"
 #include "ib3d/structure/fibres/fold_relaxation.hpp"
 
@@ -19,16 +21,17 @@ namespace {
 constexpr int kStepsBetweenElasticSweeps = 30;
 constexpr int kStepsOfOneConvection = 8;
 
-/// x += dt u for n values; returns the largest |u|.
+/// x += dt u for n values; returns the largest |u|, infinity for NaN.
 double move(double* __restrict x, const double* __restrict u, double dt, std::ptrdiff_t n)
 {
-  double fastest = 0;
-#pragma omp simd reduction(max : fastest)
+  double fastest = 0, sum = 0;
+#pragma omp simd reduction(max : fastest) reduction(+ : sum)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     x[i] += dt * u[i];
     fastest = std::max(fastest, std::abs(u[i]));
+    sum += std::abs(u[i]);
   }
-  return fastest;
+  return largest_or_infinity(fastest, sum);
 }
 
 }  // namespace
@@ -145,7 +148,9 @@ void ImmersedBoundarySolver::check_and_redistribute(double moved_cells)
   courant_rate_ = state[0];
   if (!std::isfinite(courant_rate_)) return;  // the step has blown up: CoupledModel says so
   moved_cells_ += policy_.vorticity > 0 ? std::max(state[2], dt_ * courant_rate_) : state[2];
-  if (policy_.levels > 1 && moved_cells_ > policy_.margin_cells - 0.5) regrid_if_moved();
+  // What is not finite is for `redistribute` to refuse.
+  if (policy_.levels > 1 && moved_cells_ > policy_.margin_cells - 0.5 && std::isfinite(moved_cells_))
+    regrid_if_moved();
   if (state[1] == 0) return;
   X_ = nodes_.redistribute(X_);
   room_cells_ = 0;
@@ -159,7 +164,7 @@ void ImmersedBoundarySolver::regrid_if_moved()
   if (policy_.vorticity == 0) {  // what the nodes have really moved
     double furthest = 0;
     for (std::size_t n = 0; n < X.size(); ++n)
-      for (int d = 0; d < 3; ++d) furthest = std::max(furthest, std::abs(X[n][d] - X_of_grid_[n][d]));
+      for (int d = 0; d < 3; ++d) furthest = max_or_nan(furthest, std::abs(X[n][d] - X_of_grid_[n][d]));
     moved_cells_ = furthest / grid.finest().h;
     if (moved_cells_ < policy_.margin_cells - 1) return;
   }

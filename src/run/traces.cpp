@@ -12,7 +12,7 @@ namespace {
 
 bool forward_at(const ib3d::Opening& o)
 {
-  return ib3d::side_is_high(o.side);
+  return ib3d::is_high(o.side);
 }
 
 /// Flow along +z from the outward flow of an opening.

@@ -42,10 +42,12 @@ ib3d::RefinementPolicy refinement_of(const Case& c)
   const double margin = 4 * c.grid.finest_cm;
   if (policy.levels > 1)
     for (const ib3d::Opening& o : c.openings) {
-      const Vec3 reach{o.radius + margin, o.radius + margin, 0};
-      ib3d::RefinedRegion disc{o.centre - reach, o.centre + reach, policy.levels - 1};
-      disc.lo[2] = ib3d::side_is_high(o.side) ? c.domain.size[2] - margin : 0;
-      disc.hi[2] = disc.lo[2] + margin;
+      const double reach = o.radius + margin;
+      const int across = ib3d::axis(o.side);
+      ib3d::RefinedRegion disc{o.centre - Vec3{reach, reach, reach}, o.centre + Vec3{reach, reach, reach},
+                               policy.levels - 1};
+      disc.lo[across] = ib3d::is_high(o.side) ? c.domain.size[across] - margin : 0;
+      disc.hi[across] = disc.lo[across] + margin;
       policy.regions.push_back(disc);
     }
   return policy;

@@ -71,13 +71,13 @@ void check_openings(const Case& c, Problems& problems)
 {
   for (std::size_t n = 0; n < c.openings.size(); ++n) {
     const ib3d::Opening& o = c.openings[n];
-    for (int d = 0; d < 2; ++d)
+    for (int d : {ib3d::first_tangent(o.side), ib3d::second_tangent(o.side)})
       if (o.centre[d] - o.radius < 0 || o.centre[d] + o.radius > c.domain.size[d])
         add(problems, "opening." + o.name + ".radius_cm",
             fmt::format(
                 "puts the disc outside the box: it reaches from {:.4g} to {:.4g} cm along {}, the box from 0 "
                 "to {:.4g} cm; use a smaller disc or a larger domain.size_cm",
-                o.centre[d] - o.radius, o.centre[d] + o.radius, "xy"[d], c.domain.size[d]));
+                o.centre[d] - o.radius, o.centre[d] + o.radius, "xyz"[d], c.domain.size[d]));
     for (std::size_t m = 0; m < n; ++m) {
       const ib3d::Opening& other = c.openings[m];
       if (other.side == o.side && norm(other.centre - o.centre) < other.radius + o.radius)

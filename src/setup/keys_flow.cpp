@@ -16,7 +16,7 @@ Array opening_array()
       &Case::openings,
       {Key(text("name", "Unique name of the opening"), &Opening::name).needed(),
        Key(choice("side", {"z_lo", "z_hi"}, "Plane of the disc: lower or upper end of the box"),
-           &Opening::side, std::vector{4, 5})
+           &Opening::side, std::vector{ib3d::Side::z_lo, ib3d::Side::z_hi})
            .needed(),
        Key(reals("center_cm", "cm", "Centre of the disc in x and y").of_count(2), &Opening::centre).needed(),
        Key(real("radius_cm", "cm", "Radius of the disc").above(0), &Opening::radius).needed(),

@@ -8,7 +8,7 @@ RootPorts root_ports(const Case& c)
 {
   RootPorts ports;
   for (const ib3d::Opening& o : c.openings) {
-    const bool is_outlet = ib3d::side_is_high(o.side);
+    const bool is_outlet = ib3d::is_high(o.side);
     (is_outlet ? ports.outlet : ports.inlet) = o.name;
     (is_outlet ? ports.outlet_node : ports.inlet_node) = o.port;
   }

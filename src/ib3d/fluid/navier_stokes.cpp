@@ -22,14 +22,10 @@ void close_walls(const PressureGrid& grid, MacField& u)
 {
   const Level& level = grid.level();
   for (int p = 0; p < level.local_count(); ++p)
-    for (const SidePlane<float>& theta : grid.shares(p)) {
-      const int d = side_direction(theta.side);
-      const auto dd = static_cast<std::size_t>(d);
-      theta.for_each(side_is_high(theta.side) ? level.box.hi[dd] : level.box.lo[dd],
-                     [&](const Int3& at, int a, int b) {
-                       if (theta(a, b) == 0) u(p, d)(at[0], at[1], at[2]) = 0;
-                     });
-    }
+    for (const SidePlane<float>& theta : grid.shares(p))
+      theta.for_each(level.box.faces_at(theta.side), [&](const Int3& at, int a, int b) {
+        if (theta(a, b) == 0) u(p, axis(theta.side))(at[0], at[1], at[2]) = 0;
+      });
 }
 
 }  // namespace
@@ -128,7 +124,7 @@ double NavierStokes::courant_rate() const
 std::vector<double> NavierStokes::kinetic_outflow() const
 {
   return opening_faces_.flow_of([&](const OpeningFaces::Face& f) {
-    const double w = u_[static_cast<std::size_t>(f.level)](f.patch, 2)(f.i, f.j, f.k);
+    const double w = f.normal(u_);
     return 0.5 * fluid_.density * w * w * w;
   });
 }
@@ -173,10 +169,9 @@ void NavierStokes::prescribe(const std::vector<double>& opening_pressure)
   const std::vector<double> flow = opening_faces_.flow(u_);
   const bool convected = fluid_.advection != Advection::none;
   for (std::size_t m = 0; m < openings_.size(); ++m) {
-    const double inward = side_is_high(openings_[m].side) ? -1.0 : 1.0;
     const double mean = -flow[m] / opening_faces_.area(m);
     for (const OpeningFaces::Face& f : opening_faces_.of(m)) {
-      const double w = inward * u_[static_cast<std::size_t>(f.level)](f.patch, 2)(f.i, f.j, f.k);
+      const double w = inward(f.side) * f.normal(u_);
       const double excess = convected ? fluid_.density * (w * std::abs(w) - mean * std::abs(mean)) : 0.0;
       set_boundary_pressure(p_b_, f, opening_pressure[m] - excess);
     }
@@ -208,10 +203,7 @@ std::vector<double> NavierStokes::solve_pressure(const std::vector<double>& open
   report_ = solver_.solve(p_, p_b_, &u_new_, source, solver_.options().divergence_tolerance * source,
                           solver_.options().max_iterations);
   return opening_faces_.flow_of([&](const OpeningFaces::Face& f) {
-    const auto l = static_cast<std::size_t>(f.level);
-    const Array3<double>& p = p_[l][f.patch];
-    return u_new_[l](f.patch, 2)(f.i, f.j, f.k) -
-           dt_ / (fluid_.density * grid_.levels()[l].h) * (p(f.i, f.j, f.k) - p(f.i, f.j, f.k - 1));
+    return f.normal(u_new_) - dt_ / (fluid_.density * grid_.level(f.level).h) * f.jump(p_);
   });
 }
 

@@ -9,6 +9,7 @@
 
 #include "common/comm.hpp"
 #include "common/error.hpp"
+#include "ib3d/grid/messages.hpp"
 #include "ib3d/interaction/spread_interpolate.hpp"
 
 namespace valsalva::ib3d {
@@ -42,8 +43,6 @@ NodeDistribution::NodeDistribution(FibreNetwork whole, const Level& level)
 void NodeDistribution::distribute(const std::vector<Vec3>& X_global)
 {
   const int rank = common::Communicator(level_.comm).rank();
-  const std::vector<int> local_patch = level_.local_numbers();
-
   struct Home {
     int patch;
     long cell;
@@ -54,16 +53,14 @@ void NodeDistribution::distribute(const std::vector<Vec3>& X_global)
   std::vector<Home> mine;
   for (std::size_t n = 0; n < X_global.size(); ++n) {
     const Int3 c = cell_under(level_, X_global[n]);
-    const auto patch = std::find_if(level_.patches.begin(), level_.patches.end(),
-                                    [&](const Patch& p) { return p.box.contains(c); });
-    if (patch == level_.patches.end())
+    const Patch* patch = level_.patch_at(c);
+    if (patch == nullptr)
       throw SolverError(
           fmt::format("node {} has left the finest level of the grid; use a larger grid.margin_cells", n));
     owner[n] = patch->owner;
     if (patch->owner == rank) {
       const long cell = c[0] + level_.box.size(0) * (c[1] + static_cast<long>(level_.box.size(1)) * c[2]);
-      mine.push_back(
-          {local_patch[static_cast<std::size_t>(patch - level_.patches.begin())], cell, static_cast<int>(n)});
+      mine.push_back({patch->local, cell, static_cast<int>(n)});
     }
   }
   std::sort(mine.begin(), mine.end());
@@ -99,21 +96,19 @@ void NodeDistribution::plan_copies(const std::vector<int>& owner)
   MPI_Alltoall(sizes.data(), 1, MPI_INT, asked.data(), 1, MPI_INT, level_.comm);
   sends_.clear();
   receives_.clear();
-  std::vector<MPI_Request> requests;
+  Messages messages(level_.comm, Tag::wanted_nodes);
   std::vector<std::vector<int>> requested(count);
   for (std::size_t r = 0; r < count; ++r) {
     if (asked[r] > 0) {
       requested[r].resize(static_cast<std::size_t>(asked[r]));
-      MPI_Irecv(requested[r].data(), asked[r], MPI_INT, static_cast<int>(r), 2, level_.comm,
-                &requests.emplace_back());
+      messages.receive(static_cast<int>(r), requested[r].data(), requested[r].size());
     }
     if (!wanted[r].empty()) {
-      MPI_Isend(wanted[r].data(), sizes[r], MPI_INT, static_cast<int>(r), 2, level_.comm,
-                &requests.emplace_back());
+      messages.send(static_cast<int>(r), wanted[r].data(), wanted[r].size());
       receives_.push_back({static_cast<int>(r), wanted_local[r]});
     }
   }
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  messages.wait();
   for (std::size_t r = 0; r < count; ++r) {
     if (requested[r].empty()) continue;
     for (int& node : requested[r]) node = local_number_[static_cast<std::size_t>(node)];
@@ -123,19 +118,17 @@ void NodeDistribution::plan_copies(const std::vector<int>& owner)
 
 void NodeDistribution::fill_copies(std::vector<Vec3>& values) const
 {
-  std::vector<MPI_Request> requests;
+  Messages messages(level_.comm, Tag::copied_values);
   std::vector<std::vector<Vec3>> out(sends_.size()), in(receives_.size());
   for (std::size_t l = 0; l < receives_.size(); ++l) {
     in[l].resize(receives_[l].local_nodes.size());
-    MPI_Irecv(in[l].data(), static_cast<int>(3 * in[l].size()), MPI_DOUBLE, receives_[l].rank, 3, level_.comm,
-              &requests.emplace_back());
+    messages.receive(receives_[l].rank, in[l].data(), in[l].size());
   }
   for (std::size_t l = 0; l < sends_.size(); ++l) {
     for (int node : sends_[l].local_nodes) out[l].push_back(values[static_cast<std::size_t>(node)]);
-    MPI_Isend(out[l].data(), static_cast<int>(3 * out[l].size()), MPI_DOUBLE, sends_[l].rank, 3, level_.comm,
-              &requests.emplace_back());
+    messages.send(sends_[l].rank, out[l].data(), out[l].size());
   }
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  messages.wait();
   for (std::size_t l = 0; l < receives_.size(); ++l)
     for (std::size_t i = 0; i < in[l].size(); ++i)
       values[static_cast<std::size_t>(receives_[l].local_nodes[i])] = in[l][i];

@@ -181,5 +181,19 @@ TEST(FibreStrain, FindsTheLargestTetherDisplacementOfAGroup)
   EXPECT_DOUBLE_EQ(largest_tether_displacement(network, network.X, NodeGroup{"second", 1, 2}), 0.5);
 }
 
+TEST(FibreStrain, IsNanWhereAPositionIs)
+{
+  FibreNetwork network = random_network(20, 3);
+  std::vector<Vec3> X = network.X;
+  const NodeGroup everything{"all", 0, network.node_count()};
+  ASSERT_TRUE(std::isfinite(fibre_strain(network, X, everything).largest));
+  ASSERT_TRUE(std::isfinite(largest_tether_displacement(network, X)));
+  X[static_cast<std::size_t>(network.springs.a[7])][1] = std::nan("");
+  EXPECT_TRUE(std::isnan(fibre_strain(network, X, everything).largest));
+  X = network.X;
+  X[static_cast<std::size_t>(network.tethers.node.front())][2] = std::nan("");
+  EXPECT_TRUE(std::isnan(largest_tether_displacement(network, X)));
+}
+
 }  // namespace
 }  // namespace valsalva::ib3d

@@ -28,7 +28,7 @@ FibreNetwork tangle()
 
 std::vector<Opening> two_discs()
 {
-  return {{"inlet", 4, {1, 1, 0}, 0.6, "lv"}, {"outlet", 5, {1, 1, 0}, 0.7, "ao"}};
+  return {{"inlet", Side::z_lo, {1, 1, 0}, 0.6, "lv"}, {"outlet", Side::z_hi, {1, 1, 0}, 0.7, "ao"}};
 }
 
 struct TangleRun {

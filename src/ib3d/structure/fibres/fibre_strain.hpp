@@ -1,5 +1,5 @@
 // How far a fibre network is strained: e = l/l0 - 1 of its springs (slack tension-only springs count as 0)
-// and the distance of tethered nodes from their targets (cm). For probes and reports.
+// and the distance of tethered nodes from their targets (cm); NaN where a position is. For probes and reports.
 #pragma once
 
 #include <span>
