@@ -50,7 +50,7 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
     throw CaseError({c.section("time").problem("stop_when_periodic_within",
                                                "asks to compare beats, but the case has no valve from which "
                                                "beats are measured; leave this key out")});
-  const setup::NetworkStart start = setup::network_start(c, given);
+  const setup::NetworkStart start = setup::network_start(c, given, comm);
   const lumped::NetworkSpec& spec = start.spec;
   const lumped::LumpedNetwork network(spec);
   common::create_output_folder(options.out_dir, options.force, c.resolved_toml(), comm);

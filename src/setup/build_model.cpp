@@ -221,8 +221,8 @@ lumped::NetworkSpec network_with_balance(const CaseFile& c)
 }  // namespace
 
 CaseModel::CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers)
-    : start_(network_start(c, network_with_balance(c))),
-      circulation_(start_.spec, start_.state),
+    : start_(network_start(c, network_with_balance(c), Communicator(comm))),
+      circulation_(start_.spec, start_.state, Communicator(comm)),
       domain_(domain_from_case(c)),
       refinement_(refinement_from_case(c)),
       structure_(structure_from_case(c, domain_,
