@@ -54,7 +54,7 @@ int run_lumped(const Case& c, const RunOptions& options, const Communicator& com
   if (!aortic.flow.empty()) given.integrals = {aortic.flow};
   given.balance = true;
   PeriodicBeats periodic(c.time.stop_when_periodic_within, c.time.beat_s());
-  const setup::NetworkStart start = setup::network_start(c, given);
+  const setup::NetworkStart start = setup::network_start(c, given, comm);
   const lumped::NetworkSpec& spec = start.spec;
   const lumped::LumpedNetwork network(spec);
   common::create_output_folder(options.out_dir, options.force, c.source.resolved_toml(), comm);

@@ -80,8 +80,8 @@ BuiltStructure build_structure(const Case& c, double valve_load_mmHg)
 }
 
 CaseModel::CaseModel(const Case& c, const Communicator& comm, Timers& timers)
-    : start_(network_start(c, network_with_balance(c))),
-      circulation_(start_.spec, start_.state),
+    : start_(network_start(c, network_with_balance(c), comm)),
+      circulation_(start_.spec, start_.state, comm),
       refinement_(refinement_of(c)),
       structure_(build_structure(c, start_.valve_load_mmHg)),
       solver_(ib3d::Hierarchy(c.domain, c.grid.finest_cm, comm.raw(),

@@ -40,17 +40,11 @@ lumped::LumpedState taken_over(const lumped::LumpedNetwork& from, const lumped::
   return taken;
 }
 
-}  // namespace
-
-NetworkStart network_start(const Case& c, lumped::NetworkSpec spec)
+/// `spec` is past its start-up.
+NetworkStart periodic_start(const Case& c, const lumped::NetworkSpec& spec)
 {
-  if (c.time.start == Start::rest) {
-    lumped::LumpedState state = lumped::LumpedNetwork(spec).initial_state();
-    return {std::move(spec), std::move(state), 0.0, ""};
-  }
   const lumped::NetworkSpec twin = past_start_up(lumped_network(c));
   const lumped::LimitCycle cycle = lumped::find_limit_cycle(twin);
-  spec = past_start_up(std::move(spec));
   NetworkStart start{spec, taken_over(lumped::LumpedNetwork(twin), cycle.start, lumped::LumpedNetwork(spec)),
                      0.0, ""};
   start.text = fmt::format("start      from the periodic 0D state, found in {} Newton step{}",
@@ -72,6 +66,24 @@ NetworkStart network_start(const Case& c, lumped::NetworkSpec spec)
   start.valve_load_mmHg = beat.values(0, 2) - beat.values(0, 1);
   start.text += fmt::format("; stroke volume there {:.1f} ml, load of the valve {:.1f} mmHg",
                             beat.integrals[0], start.valve_load_mmHg);
+  return start;
+}
+
+}  // namespace
+
+NetworkStart network_start(const Case& c, lumped::NetworkSpec spec, const Communicator& comm)
+{
+  const bool at_rest = c.time.start == Start::rest;
+  if (!at_rest) spec = past_start_up(std::move(spec));
+  NetworkStart start{spec, lumped::LumpedNetwork(spec).initial_state(), 0.0, ""};
+  if (at_rest) return start;
+  std::vector<double> load{0.0};
+  const auto find = [&] {
+    start = periodic_start(c, spec);
+    load = {start.valve_load_mmHg};
+  };
+  common::on_rank_0(comm, find, load);
+  start.valve_load_mmHg = load[0];
   return start;
 }
 

@@ -148,7 +148,7 @@ TEST(PeriodicStart, WhatHasNoPeriodicBeginningInDiastoleIsRefused)
   const auto start = [](Changes changes) {
     changes.emplace_back("time.start=periodic");
     const Case c = root_case(changes);
-    network_start(c, c.network);
+    network_start(c, c.network, Communicator(MPI_COMM_SELF));
   };
   EXPECT_NE(complaint([&] { start({"time.period_s=0"}); }).find("time.period_s is 0; set it"),
             std::string::npos);
