@@ -4,7 +4,6 @@
 
 #include "common/units.hpp"
 #include "ib3d/output/probes.hpp"
-#include "ib3d/structure/fibres/fibre_strain.hpp"
 
 namespace valsalva::run {
 
@@ -97,10 +96,9 @@ std::vector<double> Traces::probe_row()
                                             downstream_radius_);
   }
   orifice_ = edge_nodes_.empty() ? -1 : ib3d::orifice_area(root.nodes().gather(root.X(), edge_nodes_));
-  const ib3d::FibreNetwork& part = root.nodes().part().network;
-  const ib3d::NodeGroup everything{"all", 0, part.node_count()};
-  const double strain = comm_.max(ib3d::fibre_strain(part, root.X(), everything).largest);
-  const double displacement = comm_.max(ib3d::largest_tether_displacement(part, root.X()));
+  const ib3d::Deformation deformed = root.nodes().part().deformation(root.X());
+  const double strain = comm_.max(deformed.largest_strain);
+  const double displacement = comm_.max(deformed.largest_displacement);
   row.insert(row.end(), {q_upstream_, q_downstream_, orifice_, strain, displacement});
   return row;
 }

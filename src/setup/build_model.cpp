@@ -7,6 +7,7 @@
 
 #include "common/error.hpp"
 #include "ib3d/structure/fibres/fibre_files.hpp"
+#include "ib3d/structure/fibres/fibre_model.hpp"
 #include "setup/marker_seeds.hpp"
 
 namespace valsalva::setup {
@@ -234,13 +235,14 @@ CaseModel::CaseModel(const CaseFile& c, MPI_Comm comm, Timers& timers)
       root_(ib3d::Hierarchy(domain_, h_from_case(c), comm,
                             ib3d::refine(domain_, h_from_case(c), refinement_, structure_.network.X),
                             structure_.network.X),
-            openings_from_case(c, domain_), fluid_from_case(c), pressure_from_case(c), structure_.network,
+            openings_from_case(c, domain_), fluid_from_case(c), pressure_from_case(c),
+            std::make_unique<ib3d::FibreModel>(structure_.network,
+                                               c.section("structure").real("fold_relaxation_s")),
             c.section("structure").text("scheme") == "midpoint" ? ib3d::StructureScheme::midpoint
                                                                 : ib3d::StructureScheme::leapfrog,
             timers, refinement_,
             marker_seeds_from_case(c, domain_,
-                                   ib3d::finest_spacing(domain_, h_from_case(c), refinement_.levels)),
-            c.section("structure").real("fold_relaxation_s")),
+                                   ib3d::finest_spacing(domain_, h_from_case(c), refinement_.levels))),
       model_(root_, circulation_,
              c.section("coupling").text("scheme") == "explicit" ? coupling::CouplingScheme::explicit_
                                                                 : coupling::CouplingScheme::implicit_,
