@@ -33,11 +33,11 @@ bool is_wall(const ib3d::NodeGroup& group)
 }
 
 /// The group of every node of the whole structure.
-std::vector<int> group_of_nodes(const ib3d::FibreNetwork& whole)
+std::vector<int> group_of_nodes(const ib3d::ElasticModel& whole)
 {
   std::vector<int> group(static_cast<std::size_t>(whole.node_count()), 0);
-  for (std::size_t g = 0; g < whole.groups.size(); ++g)
-    for (int n = whole.groups[g].first; n < whole.groups[g].last; ++n)
+  for (std::size_t g = 0; g < whole.groups().size(); ++g)
+    for (int n = whole.groups()[g].first; n < whole.groups()[g].last; ++n)
       group[static_cast<std::size_t>(n)] = static_cast<int>(g);
   return group;
 }
@@ -127,37 +127,37 @@ void Snapshots::write_structure(const std::string& name, double t, bool wall)
 {
   const ib3d::NodeDistribution& nodes = model_.solver().nodes();
   const std::vector<Vec3>& X = model_.solver().X();
-  const ib3d::FibrePart& part = nodes.part();
   const std::vector<int> group = group_of_nodes(nodes.whole());
   std::vector<std::string> names;
-  for (const ib3d::NodeGroup& g : nodes.whole().groups) names.push_back(g.name);
+  for (const ib3d::NodeGroup& g : nodes.whole().groups()) names.push_back(g.name);
 
-  ib3d::FibrePicture picture;
+  ib3d::StructurePicture picture;
   std::vector<int> number(X.size(), -1);  // of a local node among the picture's points
   const auto add_point = [&](int n) {
     const auto i = static_cast<std::size_t>(n);
     if (number[i] < 0) {
       number[i] = static_cast<int>(picture.points.size());
       picture.points.push_back(X[i]);
-      picture.group.push_back(group[static_cast<std::size_t>(part.global[i])]);
+      picture.group.push_back(group[static_cast<std::size_t>(nodes.global()[i])]);
     }
     return number[i];
   };
-  for (int n = 0; n < part.owned; ++n) {
-    const auto g =
-        static_cast<std::size_t>(group[static_cast<std::size_t>(part.global[static_cast<std::size_t>(n)])]);
-    const bool in_wall = !nodes.whole().groups.empty() && is_wall(nodes.whole().groups[g]);
+  for (int n = 0; n < nodes.owned(); ++n) {
+    const auto g = static_cast<std::size_t>(
+        group[static_cast<std::size_t>(nodes.global()[static_cast<std::size_t>(n)])]);
+    const bool in_wall = !nodes.whole().groups().empty() && is_wall(nodes.whole().groups()[g]);
     if (in_wall == wall) add_point(n);
   }
-  const ib3d::Springs& springs = part.network.springs;
-  for (std::size_t s = 0; !wall && s < springs.a.size(); ++s) {
-    if (springs.a[s] >= part.owned) continue;  // the owner of its first node draws it
-    picture.lines.push_back({add_point(springs.a[s]), add_point(springs.b[s])});
-    const double length =
-        norm(X[static_cast<std::size_t>(springs.b[s])] - X[static_cast<std::size_t>(springs.a[s])]);
-    picture.strain.push_back(static_cast<float>(length / springs.rest_length[s] - 1));
+  const ib3d::StrainedElements drawing = wall ? ib3d::StrainedElements{} : nodes.part().drawing(X);
+  for (int e = 0; e < drawing.elements.count(); ++e) {
+    const std::span<const int> joined = drawing.elements[e];
+    if (joined[0] >= nodes.owned()) continue;  // the owner of its first node draws it
+    std::vector<int> points;
+    for (const int n : joined) points.push_back(add_point(n));
+    picture.elements.add(points);
+    picture.strain.push_back(static_cast<float>(drawing.strain[static_cast<std::size_t>(e)]));
   }
-  ib3d::write_fibres(folder_ + "/structure/" + name, t, picture, names, comm_.raw());
+  ib3d::write_structure(folder_ + "/structure/" + name, t, picture, names, comm_.raw());
 }
 
 void Snapshots::write_markers(const std::string& name, double t)

@@ -4,7 +4,6 @@
 
 #include "common/units.hpp"
 #include "ib3d/output/probes.hpp"
-#include "ib3d/structure/fibres/fibre_strain.hpp"
 
 namespace valsalva::run {
 
@@ -117,12 +116,11 @@ std::vector<double> Traces::probe_row() const
     return radius > 0 ? ib3d::flow_through_disc(grid, solver.fluid().u(), centre_[0], centre_[1], z, radius)
                       : 0.0;
   };
-  const ib3d::FibreNetwork& part = solver.nodes().part().network;
-  const ib3d::NodeGroup everything{"all", 0, part.node_count()};
+  const ib3d::Deformation deformed = solver.nodes().part().deformation(solver.X());
   const double upstream = flow_at(upstream_z_, valve_radius_);
   const double downstream = flow_at(downstream_z_, downstream_radius_);
-  const double strain = comm_.max(ib3d::fibre_strain(part, solver.X(), everything).largest);
-  const double displacement = comm_.max(ib3d::largest_tether_displacement(part, solver.X()));
+  const double strain = comm_.max(deformed.largest_strain);
+  const double displacement = comm_.max(deformed.largest_displacement);
   row.insert(row.end(), {upstream, downstream, statistics_.latest().orifice_cm2, strain, displacement});
   return row;
 }

@@ -6,6 +6,7 @@
 
 #include "common/error.hpp"
 #include "ib3d/structure/fibres/fibre_files.hpp"
+#include "ib3d/structure/fibres/fibre_model.hpp"
 #include "setup/marker_seeds.hpp"
 
 namespace valsalva::setup {
@@ -87,8 +88,9 @@ CaseModel::CaseModel(const Case& c, const Communicator& comm, Timers& timers)
       solver_(ib3d::Hierarchy(c.domain, c.grid.finest_cm, comm.raw(),
                               ib3d::refine(c.domain, c.grid.finest_cm, refinement_, structure_.network.X),
                               structure_.network.X),
-              c.openings, c.fluid, c.pressure, structure_.network, c.structure.scheme, timers, refinement_,
-              marker_seeds(c), c.structure.fold_relaxation_s),
+              c.openings, c.fluid, c.pressure,
+              std::make_unique<ib3d::FibreModel>(structure_.network, c.structure.fold_relaxation_s),
+              c.structure.scheme, timers, refinement_, marker_seeds(c)),
       model_(solver_, circulation_, c.coupling, c.time.steps, timers)
 {
 }

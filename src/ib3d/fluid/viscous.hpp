@@ -13,7 +13,7 @@ namespace valsalva::ib3d {
 
 class ViscousSolver {
  public:
-  /// Work space for all levels.
+  /// Work space for all levels. `grid` must outlive the object.
   explicit ViscousSolver(const Hierarchy& grid);
 
   /// Replaces b in u by the solution, ghosts filled, and returns the number of sweeps. diffusion = nu dt/2 (cm^2);
@@ -27,7 +27,7 @@ class ViscousSolver {
   void sweep(double diffusion, const CompositeMac& from, CompositeMac& to) const;
   double relative_change(const CompositeMac& a, const CompositeMac& b) const;
 
-  Hierarchy grid_;
+  const Hierarchy& grid_;
   CompositeMac b_, before_;
 };
 

@@ -84,14 +84,11 @@ inline void add_row(double* __restrict out, const double* __restrict x, double a
   for (int i = 0; i < n; ++i) out[i] += a * x[i];
 }
 
-/// p, before <- p + ratio (p - before), p.
-inline void extrapolate_row(double* __restrict p, double* __restrict before, double ratio, std::size_t n)
+/// guess = p + ratio (p - before).
+inline void extrapolate_row(double* __restrict guess, const double* __restrict p,
+                            const double* __restrict before, double ratio, std::size_t n)
 {
-  for (std::size_t i = 0; i < n; ++i) {
-    const double guess = p[i] + ratio * (p[i] - before[i]);
-    before[i] = p[i];
-    p[i] = guess;
-  }
+  for (std::size_t i = 0; i < n; ++i) guess[i] = p[i] + ratio * (p[i] - before[i]);
 }
 
 /// r = neighbours - 6 c - source (x[i+1] - x[i] + y[i+fy] - y[i] + z[i+fz] - z[i]), for faces with strides fy, fz.

@@ -1,7 +1,5 @@
 #include "ib3d/structure/fibres/fibre_strain.hpp"
 
-#include <algorithm>
-
 #include "common/max_or_nan.hpp"
 
 namespace valsalva::ib3d {
@@ -37,29 +35,15 @@ Strain fibre_strain(const FibreNetwork& network, std::span<const Vec3> X, const 
   return strain;
 }
 
-double largest_tether_displacement(const FibreNetwork& network, std::span<const Vec3> X,
-                                   const NodeGroup& group)
+double largest_tether_displacement(const FibreNetwork& network, std::span<const Vec3> X)
 {
   const Tethers& tethers = network.tethers;
   double largest = 0.0;
   for (std::size_t n = 0; n < tethers.node.size(); ++n) {
-    if (!contains(group, tethers.node[n])) continue;
     const Vec3 away = tethers.target[n] - X[static_cast<std::size_t>(tethers.node[n])];
     largest = max_or_nan(largest, dot(away, away));
   }
   return std::sqrt(largest);
-}
-
-double largest_tether_displacement(const FibreNetwork& network, std::span<const Vec3> X)
-{
-  return largest_tether_displacement(network, X, NodeGroup{"", 0, network.node_count()});
-}
-
-const NodeGroup* find_group(const FibreNetwork& network, std::string_view name)
-{
-  const auto found = std::find_if(network.groups.begin(), network.groups.end(),
-                                  [&](const NodeGroup& group) { return group.name == name; });
-  return found == network.groups.end() ? nullptr : &*found;
 }
 
 }  // namespace valsalva::ib3d

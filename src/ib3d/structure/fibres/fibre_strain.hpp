@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 
 #include "ib3d/structure/fibres/fibre_network.hpp"
 
@@ -23,14 +22,7 @@ struct Strain {
 Strain fibre_strain(const FibreNetwork& network, std::span<const Vec3> X, const NodeGroup& group,
                     SpringFamily family = SpringFamily::all);
 
-/// Largest |target - X| over the tethers of nodes in `group`, cm.
-double largest_tether_displacement(const FibreNetwork& network, std::span<const Vec3> X,
-                                   const NodeGroup& group);
-
-/// The same over all tethers.
+/// Largest |target - X| over the tethers, cm.
 double largest_tether_displacement(const FibreNetwork& network, std::span<const Vec3> X);
-
-/// The group of that name, or null.
-const NodeGroup* find_group(const FibreNetwork& network, std::string_view name);
 
 }  // namespace valsalva::ib3d
