@@ -1,4 +1,4 @@
-"""What the recorded cases read: the cases of this folder, a made-up beat and a small set of fibre files.
+"""What the recorded cases read: the cases of this folder, a synthetic beat and a small set of fibre files.
 
 Only + - * / and fixed decimals, so that every machine writes the same files.
 """

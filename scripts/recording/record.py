@@ -108,6 +108,6 @@ def record(tree, out, program=None, only="*", ranks=(1, 2), measured=None, jobs=
         if not path.exists():
             raise SystemExit(f"same_numbers: {path} does not exist")
     if not measured.is_file():
-        print(f"no measured beat at {measured}: its fits are left out (--measured FILE)")
+        print(f"no measured beat at {measured}: its fits are skipped (--measured FILE)")
         measured = None
     return Recording(tree, Path(out), program, measured, jobs or os.cpu_count()).run(only, sorted(ranks))

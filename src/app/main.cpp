@@ -1,6 +1,6 @@
 // valsalva: the front door. Reads the command line, does what the chosen subcommand says, reports errors
-// once. Exit codes: 0 done, 2 bad case or command line, 3 numerical failure, 4 input/output, 1 a mistake of
-// the program.
+// once. Exit codes: 0 done, 2 bad case or command line, 3 numerical failure, 4 input/output, 1 an internal
+// error.
 #include <fmt/format.h>
 #include <mpi.h>
 
@@ -25,7 +25,7 @@ constexpr const char* kFurther = R"(Examples:
   valsalva check cases/aortic_root                   what the case will build, need and take
   valsalva run cases/aortic_root -o out/first        one beat of the valve on one rank
   mpirun -np 4 valsalva run cases/aortic_root        the same on four ranks, into out/aortic_root
-  valsalva run cases/aortic_root --restart latest    goes on from the last checkpoint
+  valsalva run cases/aortic_root --restart latest    continues from the last checkpoint
   valsalva run cases/lumped_heart                    a circulation without a 3D part
   valsalva keys > my_case.toml                       every key of a case with unit, range and default
 
@@ -37,13 +37,13 @@ Files:
 
 Exit codes:
   0  done; also after SIGTERM or SIGINT, with a checkpoint written
-  1  a mistake of the program
-  2  bad case or command line: every mistake with its place, what is allowed and the repair
-  3  the numbers went bad: step, time and remedy; the output up to then stays
+  1  internal error (please report)
+  2  bad case or command line: each fault with its place, what is allowed and the remedy
+  3  the solver diverged: step, time and remedy; the output up to then is kept
   4  a file could not be read or written)";
 
-/// The exit code of a command line that ends here (--help, --version, a mistake), printed by one rank; -1 to
-/// go on.
+/// The exit code of a command line that ends here (--help, --version, an error), printed by one rank; -1 to
+/// continue.
 int parse(CLI::App& app, int argc, char** argv, const Communicator& comm)
 {
   try {

@@ -33,7 +33,7 @@ Examples:
   valsalva run cases/aortic_root --set grid.finest_cm=0.15625 --set time.end_s=0.2 -o out/smoke
   valsalva run cases/aortic_root --set element.arteries.C_ml_mmHg=1.5 -o out/stiff
   mpirun -np 4 valsalva run cases/aortic_root/paper.toml -o out/paper --restart latest --force
-      as in a job script that is started again and again: from the last checkpoint, or from the start
+      for a job script that is resubmitted: from the last checkpoint, or from the start
 
 Exit codes: 0 done or stopped by a signal, 2 bad case or command line, 3 numerical failure, 4 input or output.)";
 

@@ -25,7 +25,7 @@ struct CasePlace {
 };
 
 /// One checked section or entry. Asking for a key that is not in the key table, by the wrong kind, or for an
-/// optional key that is absent is a mistake of the program: std::logic_error.
+/// optional key that is absent is a programming error: std::logic_error.
 class CaseTable {
  public:
   CaseTable() = default;

@@ -22,7 +22,7 @@ using CaseValue = std::variant<std::monostate, double, long, bool, std::string, 
 struct Key {
   std::string name;  ///< within its section, the unit as its ending: "finest_cm"
   KeyKind kind = KeyKind::real;
-  std::string unit;  ///< as written for people: "cm", "mmHg s/ml"; empty if it has none
+  std::string unit;  ///< human-readable: "cm", "mmHg s/ml"; empty if it has none
   std::string meaning;
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();

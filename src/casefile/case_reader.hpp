@@ -1,5 +1,5 @@
-// Holds a document as written against the table of keys and fills in the defaults. Every problem is noted and
-// reading goes on, so that a user sees all of them at once.
+// Checks a document as written against the table of keys and fills in the defaults. Every problem is recorded and
+// reading continues, so that a user sees all of them at once.
 #pragma once
 
 #include <map>

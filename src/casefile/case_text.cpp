@@ -121,7 +121,7 @@ std::string template_toml(const KeyTable& keys)
 std::string keys_markdown(const KeyTable& keys)
 {
   std::string all =
-      "# Keys of a case\n\nWritten by `valsalva keys --markdown`; a test holds this page against the "
+      "# Keys of a case\n\nWritten by `valsalva keys --markdown`; a test compares this page with the "
       "program.\n\n"
       "A case is a TOML file. The unit is part of a key's name. `extends = \"../base.toml\"` at the top "
       "starts from "

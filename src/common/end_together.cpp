@@ -53,7 +53,7 @@ class Ends {
   Ends(const Ends&) = delete;
   Ends& operator=(const Ends&) = delete;
   Communicator comm() const { return Communicator(comm_); }
-  /// Collective; left out by ranks that have lost the others.
+  /// Collective; skipped by ranks that have lost the others.
   void free()
   {
     if (copied_) MPI_Comm_free(&comm_);

@@ -17,9 +17,9 @@ End end_of(const std::exception_ptr& failure)
   } catch (const std::system_error& error) {
     return {kIoErrorCode, error.what()};
   } catch (const std::exception& error) {
-    return {kProgramErrorCode, std::string("a mistake of the program, please report it: ") + error.what()};
+    return {kProgramErrorCode, std::string("internal error, please report it: ") + error.what()};
   } catch (...) {
-    return {kProgramErrorCode, "a mistake of the program, please report it"};
+    return {kProgramErrorCode, "internal error, please report it"};
   }
 }
 

@@ -1,6 +1,6 @@
 // What can go wrong, one exception type per kind and exit code.
 //   CaseError   (exit 2)  the case file asks for something impossible; lists every problem found
-//   SolverError (exit 3)  the numbers went bad: which solve, when, and the usual remedy
+//   SolverError (exit 3)  the solver diverged: which solve, when, and the usual remedy
 //   IoError     (exit 4)  a file could not be read or written
 // Thrown where found, caught once in main.
 #pragma once

@@ -5,7 +5,7 @@
 
 namespace valsalva::common {
 
-/// `text` in double quotes, control characters left out.
+/// `text` in double quotes, control characters removed.
 std::string json_quoted(const std::string& text);
 
 }  // namespace valsalva::common

@@ -18,7 +18,7 @@ class Log {
 
   void line(const std::string& text);
   void warning(const std::string& text);
-  /// A line that replaces itself where the output is a terminal, and is left out elsewhere.
+  /// A line that replaces itself where the output is a terminal, and is omitted elsewhere.
   void live(const std::string& text);
   /// IoError if a line could not be written.
   void check() const;

@@ -1,4 +1,4 @@
-// How long a run will still take, in words for people.
+// How long a run will still take, as text.
 #pragma once
 
 #include <string>

@@ -18,7 +18,7 @@ void reserve_text_file(const std::string& path, std::size_t bytes);
 /// A file that grows by whole texts: what a full disk cuts off is taken back to the last flush.
 class GrowingFile {
  public:
-  /// Begins anew, or behind what is there.
+  /// Starts empty, or appends to what is there.
   explicit GrowingFile(std::string path, bool keep_old = false);
   GrowingFile(GrowingFile&& other) noexcept;
   GrowingFile& operator=(GrowingFile&& other) noexcept;

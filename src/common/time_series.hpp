@@ -17,7 +17,7 @@ class TimeSeriesWriter {
  public:
   /// Creates the file with its header. IoError if it cannot be written.
   TimeSeriesWriter(const std::string& path, std::vector<std::string> columns);
-  /// Opens a file of an earlier run, cuts off what was written after `position()` was asked, and goes on there.
+  /// Opens a file of an earlier run, truncates it to an earlier `position()`, and appends there.
   /// IoError if the columns are not the same or rows are missing.
   static TimeSeriesWriter continue_at(const std::string& path, std::vector<std::string> columns,
                                       std::int64_t position);

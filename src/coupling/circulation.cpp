@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTolerance_mmHg = 1e-8;
 constexpr double kFlowDifference_ml_s = 1.0;
-constexpr int kKeptResistance = 3;  ///< iterations before dp/dQ is renewed
+constexpr int kKeptResistance = 3;  ///< iterations before dp/dQ is recomputed
 constexpr int kMostIterations = 40;
 
 std::vector<double> plain(const Eigen::VectorXd& v)

@@ -1,5 +1,5 @@
-// The 0D side as the coupling sees it: a network with its integrator and its state at t^n, asked again and
-// again for the port pressures at the end of a step, and advanced once the flows are settled. Rank 0 integrates
+// The 0D side as the coupling sees it: a network with its integrator and its state at t^n, evaluated
+// repeatedly for the port pressures at the end of a step, and advanced once the flows have converged. Rank 0 integrates
 // and hands its numbers to the others: processors that differ would give numbers that differ, and ranks that
 // disagree about a step. Every call but the observers is collective; errors are thrown on all ranks.
 //

@@ -80,7 +80,7 @@ ib3d::StepBound CoupledModel::next_step(double t_stop)
   return bound;
 }
 
-/// Mean opening pressures over the step to come, for the flow extrapolated (implicit) or frozen (explicit).
+/// Mean opening pressures over the next step, for the flow extrapolated (implicit) or frozen (explicit).
 void CoupledModel::predict_pressures(double dt)
 {
   const Eigen::VectorXd Q = as_vector(interface_.flow_ml_s);

@@ -40,9 +40,9 @@ class CoupledModel {
                const StepControl& control, Timers& timers);
 
   /// The step that the bounds allow, shortened to land on `t_stop` and on the kinks of the sources. Throws SolverError
-  /// when a fixed step is beyond the structure's bound: it would not blow up but shake the leaflets to tatters.
+  /// when a fixed step is beyond the structure's bound: the leaflets would oscillate with bounded but wrong motion.
   ib3d::StepBound next_step(double t_stop);
-  /// One step t^n -> t^{n+1}. Collective. Throws SolverError when numbers go bad.
+  /// One step t^n -> t^{n+1}. Collective. Throws SolverError when the solution diverges.
   StepReport advance(const ib3d::StepBound& step);
 
   /// Time reached, s.

@@ -26,7 +26,7 @@ enum class StructureScheme { leapfrog, midpoint };
 
 class ImmersedBoundarySolver {
  public:
-  /// `refinement` says when and how the grid follows the structure and the flow, `seeds` where passive markers set out.
+  /// `refinement` says when and how the grid follows the structure and the flow, `seeds` where passive markers start.
   /// Throws SolverError when a node lies outside the domain.
   ImmersedBoundarySolver(Hierarchy grid, std::vector<Opening> openings, const FluidParameters& fluid,
                          const PressureOptions& pressure, std::unique_ptr<const ElasticModel> structure,
@@ -36,7 +36,7 @@ class ImmersedBoundarySolver {
   void begin_step(double dt);
   std::vector<double> solve_fluid(const std::vector<double>& opening_pressure);
   void accept(const std::vector<double>& phi);
-  /// Lets the markers set out that are due at time t: at the start, and after every step.
+  /// Releases the markers that are due at time t: at the start, and after every step.
   void seed_markers(double t) { markers_.seed_due(*grid_, fluid_->u(), t); }
 
   /// Largest of |u| + |v| + |w| over h in the current velocity (1/s), the same on all ranks.

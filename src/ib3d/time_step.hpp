@@ -2,7 +2,7 @@
 //   CFL      dt <= C h / max(|u| + |v| + |w|)
 //   elastic  the structure is explicit, so dt < 2/omega_max, omega_max^2 the largest eigenvalue of (1/rho) J S K at the
 //            present configuration (K = -dF/dX the structure's stiffness); found by power iteration, warm-started, and
-//            an upper bound since the projection, which can only lower it, is left out
+//            an upper bound since the projection, which can only lower it, is omitted
 // Slack tension-only springs count as taut: valve leaflets go slack as they open and snap taut within a few steps.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What was built, in lines for people: grid, structure, leaflets, step, markers, coupling. Used by `run` and `check`.
+// What was built, as lines of text: grid, structure, leaflets, step, markers, coupling. Used by `run` and `check`.
 #pragma once
 
 #include <string>

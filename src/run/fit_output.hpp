@@ -1,5 +1,5 @@
 // The files of a fit, of `valsalva fit` and `valsalva calibrate` alike:
-//   fit.txt   the result for people        fit.json   the same for programs
+//   fit.txt   the result as text           fit.json   the same for programs
 //   fit.csv   t_s and, per signal, data, model and residual
 #pragma once
 

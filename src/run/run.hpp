@@ -16,7 +16,7 @@ struct RunOptions {
   bool lumped = false;           ///< in 0D, with the surrogate in place of the 3D root
   bool force = false;            ///< replace what is in `out_dir`
   std::string restart;           ///< checkpoint to continue from: a file, "latest", or empty for a new run
-  std::string continue_command;  ///< what to type to continue this run, for people
+  std::string continue_command;  ///< what to type to continue this run
 };
 
 /// Runs the case and writes into `options.out_dir`, which this call creates. Returns the exit code: 0, also after a

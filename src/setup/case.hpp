@@ -56,7 +56,7 @@ struct Structure {
   ib3d::WallMaterial wall;
 };
 
-/// Passive markers that set out from discs across z.
+/// Passive markers that are released in discs across z.
 struct MarkerGroup {
   std::string name;
   std::vector<double> z_cm;

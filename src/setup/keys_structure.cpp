@@ -117,7 +117,7 @@ Section leaflets_section()
                    &LeafletFactors::free_edge),
        per_leaflet(
            reals("fused_shares", "",
-                 "Fraction of half the free edge that is fused, from the commissure on, between leaflets 1 "
+                 "Fraction of half the free edge that is fused, starting at the commissure, between leaflets 1 "
                  "and 2, 2 and 3, 3 and 1")
                .in(0.0, 1.0),
            &LeafletFactors::fused_share)});

@@ -1,5 +1,5 @@
-// Which part of space each rank computes: planes that halve the domain again and again so that the work on both
-// sides is in proportion to the ranks. All levels are cut by the same planes, moved to their own blocks, so that
+// Which part of space each rank computes, by weighted recursive coordinate bisection: each plane divides the work in
+// proportion to the ranks on its sides. All levels are cut by the same planes, moved to their own blocks, so that
 // transfers between levels stay mostly on one rank.
 #pragma once
 
@@ -31,7 +31,7 @@ class RecursiveBisection {
   /// when it is too small for that.
   RecursiveBisection(const std::vector<LevelBoxes>& levels, const std::vector<Vec3>& nodes, int count);
 
-  /// The boxes of a level cut along the planes, empty pieces left out, in the order of the regions.
+  /// The boxes of a level cut along the planes, without empty pieces, in the order of the regions.
   std::vector<Piece> cut(const LevelBoxes& level) const;
 
  private:

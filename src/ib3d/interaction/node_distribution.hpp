@@ -40,7 +40,7 @@ class NodeDistribution {
   /// How far (cells, along any direction) the farthest node of this rank lies outside its patch, negative where all lie
   /// inside; infinite for one that is not a number. More than kNodeDrift: time to redistribute. Local.
   double farthest_out(const std::vector<Vec3>& X) const;
-  /// Assigns every node to its patch anew; the new local positions are X(). Collective. Throws SolverError when a node has
+  /// Reassigns every node to its patch; the new local positions are X(). Collective. Throws SolverError when a node has
   /// left the domain by more than the drift.
   void redistribute(const std::vector<Vec3>& X) { distribute(gather(X)); }
   /// Distributes the nodes, at X (all of them, in global order), over the patches of another level. Collective.

@@ -15,7 +15,7 @@
 
 namespace valsalva::ib3d {
 
-/// How far (cells) a node may drift out of its patch before the nodes have to be distributed anew.
+/// How far (cells) a node may drift out of its patch before the nodes have to be redistributed.
 inline constexpr double kNodeDrift = 1.0;
 
 /// U = J[X] u on one level; the ghosts of u must be filled.

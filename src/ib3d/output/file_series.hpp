@@ -1,8 +1,8 @@
 // The times of a series of files, in the JSON that ParaView reads: fields/fields.hdf.series beside
 // fields_0000.hdf, ...
 //   { "file-series-version" : "1.0", "files" : [ { "name" : "fields_0000.hdf", "time" : 0.0 }, ... ] }
-// Rewritten as a whole and renamed into place at every addition, so that it can be opened while a run goes
-// on. A run that continues from a checkpoint finds the entries of before and drops the later ones. Not
+// Rewritten as a whole and renamed into place at every addition, so that it can be opened during a
+// run. A run that continues from a checkpoint finds the entries of before and drops the later ones. Not
 // collective: one rank keeps the series.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Numbers read off the fields and the structure while a run goes on. All collective; the same result on every
+// Numbers read off the fields and the structure during a run. All collective; the same result on every
 // rank.
 #pragma once
 

@@ -51,7 +51,7 @@ struct StructurePicture {
 struct MarkerPicture {
   std::vector<Vec3> points;  ///< cm
   std::vector<int> id, group;
-  std::vector<float> age;  ///< s since they set out
+  std::vector<float> age;  ///< s since release
 };
 
 /// `origin` is the corner of cell (0, 0, 0) of every level, cm; levels[0] is the coarsest.

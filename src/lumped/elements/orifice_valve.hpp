@@ -12,7 +12,7 @@
 // vessels before and behind them. The flow reverses while they close: a closing volume. Starts closed. States:
 // Q (ml/s), zeta (0 shut to 1 open). The integrator stops where dv changes its sign, because the rate of zeta
 // has a kink there.
-// Source: Mynard, Davidson, Penny & Smolich, Int J Numer Meth Biomed Engng 28 (2012) 626-641; L is ours.
+// Source: Mynard, Davidson, Penny & Smolich, Int J Numer Meth Biomed Engng 28 (2012) 626-641; L is an addition.
 #pragma once
 
 #include "lumped/network/branch.hpp"

@@ -6,7 +6,7 @@
 //   R_mmHg_s_ml  (mmHg s/ml)     L_mmHg_s2_ml  (mmHg s^2/ml, default 0)
 //   B_mmHg_s2_ml2  (mmHg s^2/ml^2, default 0)
 // It opens when dp crosses 0 upward and closes when Q crosses 0 downward. Without L the flow follows dp at
-// once, R Q + B Q|Q| = dp. Both thresholds lie a hair (1e-10 mmHg, ml/s) beyond zero: to switch back, the
+// once, R Q + B Q|Q| = dp. Both thresholds lie slightly (1e-10 mmHg, ml/s) beyond zero: to switch back, the
 // valve has to cross that band, so that a grazing dp cannot make it chatter. Starts closed. State: Q (ml/s),
 // only with L > 0. Source: Bernoulli term and inertance as in Mynard et al., Int J Numer Meth Biomed Engng 28
 // (2012) 626-641, without the leaflets' motion (orifice_valve.hpp has it).

@@ -1,4 +1,4 @@
-// What a fit's data cannot tell, in sentences for people: parameters that no residual depends on, parameters of
+// What a fit's data cannot tell, in sentences: parameters that no residual depends on, parameters of
 // which only a combination is determined, wide intervals, near-collinear pairs, bounds, correlated residuals.
 #pragma once
 
@@ -16,7 +16,7 @@ std::vector<std::string> fit_flags(const Fit& fit, const std::vector<Unknown>& u
 /// Sentences on data whose length is not that of the beat, of a periodic fit: signals, and tables of sources.
 std::vector<std::string> data_flags(const FitProblem& problem);
 
-/// The whole result as text for people: estimates with intervals, correlations, residuals, flags.
+/// The whole result as text: estimates with intervals, correlations, residuals, flags.
 std::string fit_text(const Fit& fit);
 
 }  // namespace valsalva::lumped

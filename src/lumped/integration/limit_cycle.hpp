@@ -46,7 +46,7 @@ struct SampledBeat {
   Eigen::MatrixXd integral_gradients;      ///< observable x parameter
 };
 
-/// `times` increasing, from 0; beyond the period the integrals go on to the last; `observables` by name ("p_ao_mmHg", "Q_aortic_ml_s").
+/// `times` increasing, from 0; beyond the period the integrals continue to the last; `observables` by name ("p_ao_mmHg", "Q_aortic_ml_s").
 SampledBeat sample_beat(const NetworkSpec& spec, const LimitCycle& cycle,
                         const std::vector<std::string>& parameters,
                         const std::vector<std::string>& observables, const std::vector<double>& times,

@@ -20,7 +20,7 @@ enum class ParameterKind { number, list, word };
 
 struct ElementParameter {
   std::string name = {};                       ///< the case file's key, unit as its ending
-  std::string unit = {};                       ///< as written for people, "mmHg s/ml"; empty if it has none
+  std::string unit = {};                       ///< human-readable, "mmHg s/ml"; empty if it has none
   ParameterKind kind = ParameterKind::number;  ///< a list may be given as one number: a constant
   std::string quantity = {};                   ///< with its article, for messages: "a resistance"
   bool required = true;                        ///< false: may be absent; with a default it is filled in

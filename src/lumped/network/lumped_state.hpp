@@ -1,5 +1,5 @@
 // Everything a lumped network is at one instant; saving and restoring is copying this.
-// Besides the continuous states y (names and units: Network::states) a valve is open or closed, which the
+// In addition to the continuous states y (names and units: Network::states) a valve is open or closed, which the
 // states alone do not tell.
 #pragma once
 

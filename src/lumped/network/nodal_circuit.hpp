@@ -19,7 +19,7 @@ template <class Scalar>
 Scalar resistor_flow(const Scalar& dp, const Scalar& R, const Scalar& B)
 {
   using std::abs, std::sqrt;
-  // The root of the quadratic without the difference of two large numbers; exact for B = 0 as well.
+  // The solution of the quadratic without the difference of two large numbers; exact for B = 0 as well.
   return 2.0 * dp / (R + sqrt(R * R + 4.0 * B * abs(dp)));
 }
 

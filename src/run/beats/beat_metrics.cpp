@@ -18,7 +18,7 @@ constexpr double kShutOrifice_cm2 = 0.05;
 /// Within this share of the beat after ejection lies the backflow that closes the valve.
 constexpr double kLongestClosing = 0.25;
 
-/// Of the peak flow: less is what the closed valve lets swing at the start of a beat.
+/// Of the peak flow: less is residual ringing of the closed valve at the start of a beat.
 constexpr double kRemnant = 0.05;
 
 /// Integral of f over the samples first..last by the trapezoidal rule.
@@ -56,7 +56,7 @@ BeatMetrics measure_beat(int beat, const std::vector<BeatSample>& s)
   std::size_t rise = peak, fall = peak;
   while (rise > 0 && s[rise - 1].flow_ml_s > 0) --rise;
   std::size_t open = rise;
-  if (rise == 0)  // the closed valve still swings from the beat before
+  if (rise == 0)  // the closed valve still rings from the previous beat
     for (open = peak; open > 0 && s[open - 1].flow_ml_s > kRemnant * m.peak_flow_ml_s;) --open;
   while (fall < end && s[fall].flow_ml_s > 0) ++fall;
   // A late ejection may hover about zero before the backflow that closes the valve.
@@ -176,7 +176,7 @@ std::string beat_text(const BeatMetrics& m)
   text += fmt::format("\n        work of sources {:.0f} mJ = lost in the network {:.0f}", b.source_work_mJ,
                       b.network_loss_mJ);
   if (b.root_work_mJ != 0)
-    text += fmt::format(" + lost in the root {:.0f} + carried off as kinetic energy {:.0f}", b.root_loss_mJ,
+    text += fmt::format(" + lost in the root {:.0f} + leaving as kinetic energy {:.0f}", b.root_loss_mJ,
                         -b.root_kinetic_inflow_mJ);
   text += fmt::format(" + stored {:.0f}", b.network_energy_change_mJ + b.root_energy_change_mJ);
   return text;

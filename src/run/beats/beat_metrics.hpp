@@ -44,7 +44,7 @@ BeatMetrics measure_beat(int beat, const std::vector<BeatSample>& samples);
 std::vector<std::string> beat_columns();
 std::vector<double> beat_row(const BeatMetrics& m);
 
-/// The numbers of a beat in three lines for people.
+/// The numbers of a beat in three lines of text.
 std::string beat_text(const BeatMetrics& m);
 
 }  // namespace valsalva::run

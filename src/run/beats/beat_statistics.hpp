@@ -22,7 +22,7 @@ class BeatStatistics {
   void add(const BeatSample& sample) { samples_.push_back(sample); }
   /// Does the current beat have a sample after its start?
   bool has_begun() const { return samples_.size() > 1; }
-  /// Metrics and balance of the beat that ends `now`, at the latest sample; there must be one.
+  /// Metrics and balance of the beat that ends `now`, with its last sample; there must be one.
   BeatMetrics close(const BalanceState& now);
   /// All but the period. Collective.
   void save_or_restore(Checkpoint& c);

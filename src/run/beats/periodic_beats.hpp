@@ -16,7 +16,7 @@ class PeriodicBeats {
   /// `tolerance` 0: never reached; `period_s` of a whole beat.
   PeriodicBeats(double tolerance, double period_s) : tolerance_(tolerance), period_s_(period_s) {}
 
-  /// Takes note of a beat that has ended; returns the line about it for the log.
+  /// Records a beat that has ended; returns the line about it for the log.
   std::string add(const BeatMetrics& beat);
   /// Has the last beat changed by less than the tolerance?
   bool reached() const { return change_ >= 0 && change_ < tolerance_; }

@@ -1,6 +1,6 @@
 // Flexible conjugate gradients for the pressure problem on all levels, with a preconditioner that may vary from call
 // to call (beta in the Polak-Ribiere form; Golub & Ye 1999). Mixed precision: residual, direction and A d are single,
-// p is double; when the residual has fallen by 1e-4 it is computed anew from p in double, so that any tolerance can be
+// p is double; when the residual has fallen by 1e-4 it is recomputed from p in double, so that any tolerance can be
 // reached. Inner products and norms weigh a cell with its volume.
 #pragma once
 

@@ -37,7 +37,7 @@ constexpr Int3 place_at(Side side, int along, int a, int b)
 template <class T>
 struct SidePlane {
   Side side = Side::x_lo;
-  int lo1 = 0, lo2 = 0, n1 = 0, n2 = 0;  ///< indices of the cells covered, ghosts left out
+  int lo1 = 0, lo2 = 0, n1 = 0, n2 = 0;  ///< indices of the cells covered, without ghosts
   std::vector<T> value;
   SidePlane() = default;
   /// Over the cells of a patch that touches the side, every value `fill`.

@@ -12,7 +12,7 @@ namespace valsalva::ib3d {
 /// Keys of [pressure].
 struct PressureOptions {
   std::string solver = "multilevel";
-  double divergence_tolerance = 5e-3;  ///< 1/s, rms of what is left of div u
+  double divergence_tolerance = 5e-3;  ///< 1/s, rms of the remaining div u
   int max_iterations = 60;
 };
 

@@ -56,7 +56,7 @@ void add_contact(const LeafletLattice& lattice, const std::vector<double>& area,
     for (std::size_t side = 0; side < 2; ++side) {
       const Vec3& normal = kPlaneNormal[side];
       const double depth = gap_of(lattice, i, normal) - dot(normal, X[i]);
-      if (depth > 0.0 || lattice.grown_to[i] == kNeighbour[side])
+      if (depth > 0.0 || lattice.fused_to[i] == kNeighbour[side])
         F[i] += (kContact * area[i] * depth) * normal;
     }
   }

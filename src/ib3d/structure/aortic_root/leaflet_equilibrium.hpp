@@ -4,7 +4,7 @@
 // A the node's share of the area vectors of its triangles (cm^2, away from the axis before the leaflet
 // closes); edge nodes stay where they are. The neighbouring leaflets are the two planes theta = +-60 degrees
 // through the axis: closer than a gap of 0.025 cm a node is pushed back with 5e7 dyn/cm^3 x its reference
-// area x depth; a node grown to its neighbour is held at the gap from both sides. Solved by damped relaxation with the FIRE rule (Bitzek et al., Phys. Rev. Lett. 97 (2006)
+// area x depth; a node fused to its neighbour is held at the gap from both sides. Solved by damped relaxation with the FIRE rule (Bitzek et al., Phys. Rev. Lett. 97 (2006)
 // 170201) on fictitious masses that bound the stiffness, so that the time step needs no tuning.
 // Deterministic, one core.
 #pragma once

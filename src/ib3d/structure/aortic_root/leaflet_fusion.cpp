@@ -37,7 +37,7 @@ void mark_fused(const RootDimensions& root, double share_with_previous, double s
     const double share = s > 0.0 ? share_with_next : share_with_previous;
     const bool is_fused = s != 0.0 && std::abs(s) > (1.0 - share) * Ra &&
                           lattice.z[i] >= (1.0 - kFusedDepth) * root.commissure_height;
-    if (is_fused && lattice.on_edge[i] == 0) lattice.grown_to[i] = s > 0.0 ? 1 : -1;
+    if (is_fused && lattice.on_edge[i] == 0) lattice.fused_to[i] = s > 0.0 ? 1 : -1;
   }
 }
 
@@ -46,7 +46,7 @@ void fuse_leaflets(const LeafletLattice& leaflet, int first_node, const LeafletL
 {
   const double k = Kc * leaflet.row_distance / leaflet.column_distance;
   for (std::size_t i = 0; i < leaflet.s.size(); ++i) {
-    if (leaflet.grown_to[i] != 1) continue;
+    if (leaflet.fused_to[i] != 1) continue;
     const int own = first_node + static_cast<int>(i);
     const int other = first_node_of_next + node_at(next, -leaflet.s[i], leaflet.z[i]);
     const double distance =

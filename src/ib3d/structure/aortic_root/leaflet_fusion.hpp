@@ -1,4 +1,4 @@
-// A fused commissure: two neighbouring leaflets grown together, as in rheumatic and bicuspid valves, along a
+// A fused commissure: two neighbouring leaflets joined, as in rheumatic and bicuspid valves, along a
 // share of the half free edge from the commissure towards the middle and down to a quarter of the commissure
 // height below it. In form-finding both leaflets are held beside the plane between them there; in the run every
 // such node of a leaflet is joined to its mirror image on the next by a two-sided spring,
@@ -11,7 +11,7 @@
 
 namespace valsalva::ib3d {
 
-/// Marks the nodes that are grown to the neighbours (`grown_to`); shares from 0 to 1 of half the free edge.
+/// Marks the nodes that are fused to the neighbours (`fused_to`); shares from 0 to 1 of half the free edge.
 void mark_fused(const RootDimensions& root, double share_with_previous, double share_with_next,
                 LeafletLattice& lattice);
 

@@ -62,7 +62,7 @@ class LatticeBuilder {
     lattice_.s.push_back(s);
     lattice_.z.push_back(z);
     lattice_.on_edge.push_back(on_edge ? 1 : 0);
-    lattice_.grown_to.push_back(0);
+    lattice_.fused_to.push_back(0);
     return lattice_.network.node_count() - 1;
   }
 

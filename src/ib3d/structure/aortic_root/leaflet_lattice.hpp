@@ -26,7 +26,7 @@ struct LeafletLattice {
   std::vector<double> s, z;           ///< reference coordinates per node, cm; z from the annulus
   std::vector<std::uint8_t> on_edge;  ///< per node: on the attachment line
   std::vector<std::int8_t>
-      grown_to;  ///< per node: -1 fused to the previous leaflet, 1 to the next, 0 to none
+      fused_to;  ///< per node: -1 fused to the previous leaflet, 1 to the next, 0 to none
   std::vector<std::array<int, 3>> triangles;         ///< surface, normals away from the axis on the tube
   std::vector<int> middle;                           ///< column s = 0 from the free edge down
   double row_distance = 0.0, column_distance = 0.0;  ///< cm

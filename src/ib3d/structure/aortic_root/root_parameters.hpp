@@ -36,7 +36,7 @@ struct LeafletFactors {
   double height = 1.0;     ///< of the radial rest ratio
   double free_edge = 1.0;  ///< of the free edge's rest ratio
   double fused_share =
-      0.0;  ///< of half the free edge, from the commissure on, that is fused to the next leaflet
+      0.0;  ///< of half the free edge, starting at the commissure, fused to the next leaflet
   bool operator==(const LeafletFactors&) const = default;
 };
 
