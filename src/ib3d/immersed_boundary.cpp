@@ -7,10 +7,10 @@
 #include <cstring>
 
 #include "common/error.hpp"
+#include "common/max_or_nan.hpp"
 #include "ib3d/fluid/vorticity.hpp"
 #include "ib3d/grid/field_checkpoint.hpp"
-#include "ib3d/structure/fibres/fibre_force.hpp"
-#include "ib3d/structure/fibres/fold_relaxation.hpp"
+#include "ib3d/grid/row_kernels.hpp"
 
 namespace valsalva::ib3d {
 
@@ -19,38 +19,43 @@ namespace {
 constexpr int kStepsBetweenElasticSweeps = 30;
 constexpr int kStepsOfOneConvection = 8;
 
-/// x += dt u for n values; returns the largest |u|.
-double move(double* __restrict x, const double* __restrict u, double dt, std::ptrdiff_t n)
+/// Moves the first `count` nodes, X += dt U; returns the largest velocity along any direction, infinity for NaN.
+double move(std::vector<Vec3>& X, const std::vector<Vec3>& U, double dt, int count)
 {
-  double fastest = 0;
-#pragma omp simd reduction(max : fastest)
+  if (count == 0) return 0;
+  double* __restrict x = X.data()->c;
+  const double* __restrict u = U.data()->c;
+  const std::ptrdiff_t n = 3 * count;
+  double fastest = 0, sum = 0;
+#pragma omp simd reduction(max : fastest) reduction(+ : sum)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     x[i] += dt * u[i];
     fastest = std::max(fastest, std::abs(u[i]));
+    sum += std::abs(u[i]);
   }
-  return fastest;
+  return largest_or_infinity(fastest, sum);
 }
 
 }  // namespace
 
-ImmersedBoundarySolver::ImmersedBoundarySolver(const Hierarchy& grid, std::vector<Opening> openings,
+ImmersedBoundarySolver::ImmersedBoundarySolver(Hierarchy grid, std::vector<Opening> openings,
                                                const FluidParameters& fluid, const PressureOptions& pressure,
-                                               FibreNetwork structure, StructureScheme scheme, Timers& timers,
-                                               RefinementPolicy refinement, std::vector<MarkerSeed> seeds,
-                                               double fold_relaxation)
+                                               std::unique_ptr<const ElasticModel> structure,
+                                               StructureScheme scheme, Timers& timers,
+                                               RefinementPolicy refinement, std::vector<MarkerSeed> seeds)
     : scheme_(scheme),
-      fold_relaxation_(fold_relaxation),
       timers_(timers),
       policy_(std::move(refinement)),
-      fluid_(std::make_unique<NavierStokes>(grid, std::move(openings), fluid, pressure)),
-      nodes_(std::move(structure), grid.finest()),
-      interaction_(grid.finest()),
-      elastic_(grid.finest(), fluid.density),
+      grid_(std::make_unique<const Hierarchy>(std::move(grid))),
+      fluid_(std::make_unique<NavierStokes>(*grid_, std::move(openings), fluid, pressure)),
+      nodes_(std::move(structure), grid_->finest()),
+      interaction_(grid_->finest()),
+      elastic_(grid_->finest(), fluid.density),
       markers_(std::move(seeds)),
-      f_(grid.finest()),
-      X_(nodes_.part().network.X),
-      X_of_cuts_(nodes_.whole().X),
-      X_of_grid_(nodes_.whole().X)
+      f_(grid_->finest()),
+      X_(nodes_.X()),
+      X_of_cuts_(nodes_.whole().start()),
+      X_of_grid_(nodes_.whole().start())
 {
 }
 
@@ -59,39 +64,38 @@ void ImmersedBoundarySolver::begin_step(double dt)
   dt_ = dt;
   const auto count = X_.size();
   U_.resize(count);
-  F_.resize(count);
   const std::vector<Vec3>* forced_at = &X_;
   if (scheme_ == StructureScheme::midpoint) {
     const auto scope = timers_.time("interpolate");
     interaction_.interpolate(nodes_.first(), X_, fluid_->u().back(), U_);
-    add_slip(X_);
-    X_middle_.resize(count);
-    for (std::size_t n = 0; n < count; ++n) X_middle_[n] = X_[n] + 0.5 * dt * U_[n];
+    nodes_.part().add_slip(X_, dt, U_);
+    X_middle_ = X_;
+    if (!std::isfinite(move(X_middle_, U_, 0.5 * dt, nodes_.owned())))
+      throw SolverError(
+          "the velocity of a node of the structure is not finite; use a smaller time.cfl or "
+          "time.elastic_safety");
     nodes_.fill_copies(X_middle_);
     forced_at = &X_middle_;
   }
   {
     const auto scope = timers_.time("fibre force");
-    fibre_force(nodes_.part().network, *forced_at, F_);
+    F_.assign(count, Vec3{0, 0, 0});
+    nodes_.part().add_force(*forced_at, F_);
   }
   {
     const auto scope = timers_.time("spread");
     interaction_.spread(nodes_.first(), *forced_at, F_, f_);
   }
   const auto scope = timers_.time("momentum");
-  fluid_->begin_step(f_, dt, keep_convection(dt));
+  const bool keep = steps_since_convection_ < kStepsOfOneConvection &&
+                    cfl_since_convection_ + convective_cfl(dt) <= fluid_->fluid().convection_cfl;
+  fluid_->begin_step(f_, dt, keep);
 }
 
-bool ImmersedBoundarySolver::keep_convection(double dt)
+double ImmersedBoundarySolver::convective_cfl(double dt) const
 {
   // viscosity has its share of the same stretch of stability (scheme 5.1)
-  const double viscous = viscous_step_limit(fluid_->grid().finest(), fluid_->fluid());
-  const double cfl = dt * (courant_rate_ + 0.5 / viscous);
-  const bool keep = steps_since_convection_ < kStepsOfOneConvection &&
-                    cfl_since_convection_ + cfl <= fluid_->fluid().convection_cfl;
-  steps_since_convection_ = keep ? steps_since_convection_ + 1 : 1;
-  cfl_since_convection_ = keep ? cfl_since_convection_ + cfl : cfl;
-  return keep;
+  return dt * (courant_rate_ + 0.5 / viscous_step_limit(grid_->finest(), fluid_->fluid()));
 }
 
 std::vector<double> ImmersedBoundarySolver::solve_fluid(const std::vector<double>& opening_pressure)
@@ -103,6 +107,8 @@ std::vector<double> ImmersedBoundarySolver::solve_fluid(const std::vector<double
 void ImmersedBoundarySolver::accept(const std::vector<double>& phi)
 {
   double fastest = 0;
+  steps_since_convection_ = fluid_->rates_found() ? 1 : steps_since_convection_ + 1;
+  cfl_since_convection_ = (fluid_->rates_found() ? 0 : cfl_since_convection_) + convective_cfl(dt_);
   {
     const auto scope = timers_.time("projection");
     fluid_->finish_step(phi);
@@ -114,26 +120,20 @@ void ImmersedBoundarySolver::accept(const std::vector<double>& phi)
       interaction_.interpolate(nodes_.first(), X_middle_, fluid_->u_before().back(), U_before_);
       interaction_.interpolate(nodes_.first(), X_middle_, fluid_->u().back(), U_);
       for (std::size_t n = 0; n < U_.size(); ++n) U_[n] = 0.5 * (U_[n] + U_before_[n]);
-      add_slip(X_middle_);
+      nodes_.part().add_slip(X_middle_, dt_, U_);
     } else {
       interaction_.interpolate(nodes_.first(), X_, fluid_->u().back(), U_);
-      add_slip(X_);
+      nodes_.part().add_slip(X_, dt_, U_);
     }
-    if (nodes_.owned() > 0) fastest = move(&X_[0][0], &U_[0][0], dt_, 3 * nodes_.owned());
+    fastest = move(X_, U_, dt_, nodes_.owned());
     nodes_.fill_copies(X_);
   }
   if (markers_.wanted()) {
     const auto scope = timers_.time("markers");
-    markers_.advance(fluid_->grid(), fluid_->u(), dt_);
+    markers_.advance(*grid_, fluid_->u(), dt_);
   }
   const auto scope = timers_.time("step control");
-  check_and_redistribute(dt_ * fastest / fluid_->grid().finest().h);
-}
-
-void ImmersedBoundarySolver::add_slip(const std::vector<Vec3>& X)
-{
-  // Steps longer than the time would overshoot.
-  if (fold_relaxation_ > 0) add_fold_slip(nodes_.part().network, X, std::max(fold_relaxation_, dt_), U_);
+  check_and_redistribute(dt_ * fastest / grid_->finest().h);
 }
 
 void ImmersedBoundarySolver::check_and_redistribute(double moved_cells)
@@ -141,13 +141,16 @@ void ImmersedBoundarySolver::check_and_redistribute(double moved_cells)
   room_cells_ -= moved_cells;
   if (room_cells_ <= 0) room_cells_ = kNodeDrift - nodes_.farthest_out(X_);
   double state[3] = {fluid_->courant_rate(), room_cells_ <= 0 ? 1.0 : 0.0, moved_cells};
-  MPI_Allreduce(MPI_IN_PLACE, state, 3, MPI_DOUBLE, MPI_MAX, fluid_->grid().comm());
+  MPI_Allreduce(MPI_IN_PLACE, state, 3, MPI_DOUBLE, MPI_MAX, grid_->comm());
   courant_rate_ = state[0];
   if (!std::isfinite(courant_rate_)) return;  // the step has blown up: CoupledModel says so
   moved_cells_ += policy_.vorticity > 0 ? std::max(state[2], dt_ * courant_rate_) : state[2];
-  if (policy_.levels > 1 && moved_cells_ > policy_.margin_cells - 0.5) regrid_if_moved();
+  // What is not finite is for `redistribute` to refuse.
+  if (policy_.levels > 1 && moved_cells_ > policy_.margin_cells - 0.5 && std::isfinite(moved_cells_))
+    regrid_if_moved();
   if (state[1] == 0) return;
-  X_ = nodes_.redistribute(X_);
+  nodes_.redistribute(X_);
+  X_ = nodes_.X();
   room_cells_ = 0;
   elastic_.restart();
 }
@@ -155,11 +158,11 @@ void ImmersedBoundarySolver::check_and_redistribute(double moved_cells)
 void ImmersedBoundarySolver::regrid_if_moved()
 {
   const std::vector<Vec3> X = nodes_.gather(X_);
-  const Hierarchy& grid = fluid_->grid();
+  const Hierarchy& grid = *grid_;
   if (policy_.vorticity == 0) {  // what the nodes have really moved
     double furthest = 0;
     for (std::size_t n = 0; n < X.size(); ++n)
-      for (int d = 0; d < 3; ++d) furthest = std::max(furthest, std::abs(X[n][d] - X_of_grid_[n][d]));
+      for (int d = 0; d < 3; ++d) furthest = max_or_nan(furthest, std::abs(X[n][d] - X_of_grid_[n][d]));
     moved_cells_ = furthest / grid.finest().h;
     if (moved_cells_ < policy_.margin_cells - 1) return;
   }
@@ -175,18 +178,18 @@ void ImmersedBoundarySolver::regrid_if_moved()
 
 void ImmersedBoundarySolver::rebuild(const Refinement& boxes, const std::vector<Vec3>& X)
 {
-  const Hierarchy before = fluid_->grid();
-  const Hierarchy grid(before.domain(), before.finest().h, before.comm(), boxes, X);
-  fluid_ = std::make_unique<NavierStokes>(grid, *fluid_);
-  nodes_.move_to(grid.finest(), X);
+  auto grid = std::make_unique<const Hierarchy>(grid_->domain(), grid_->finest().h, grid_->comm(), boxes, X);
+  fluid_ = std::make_unique<NavierStokes>(*grid, *fluid_);
+  nodes_.move_to(grid->finest(), X);
   room_cells_ = 0;
-  interaction_ = Interaction(grid.finest());
-  elastic_ = ElasticBound(grid.finest(), fluid_->fluid().density);
+  interaction_ = Interaction(grid->finest());
+  elastic_ = ElasticBound(grid->finest(), fluid_->fluid().density);
   steps_since_elastic_ = 0;
-  f_ = MacField(grid.finest());
-  X_ = nodes_.part().network.X;
+  f_ = MacField(grid->finest());
+  X_ = nodes_.X();
   X_of_cuts_ = X_of_grid_ = X;
-  markers_.settle(grid);
+  grid_ = std::move(grid);
+  markers_.settle(*grid_);
 }
 
 double ImmersedBoundarySolver::elastic_rate()
@@ -196,21 +199,16 @@ double ImmersedBoundarySolver::elastic_rate()
   return elastic_.omega();
 }
 
-double ImmersedBoundarySolver::elastic_energy() const
-{
-  return fibre_energy(nodes_.whole(), nodes_.gather(X_));
-}
-
 void ImmersedBoundarySolver::save_or_restore(Checkpoint& c)
 {
   std::vector<Vec3> X = X_of_cuts_;
-  Refinement boxes = fluid_->grid().refinement();
+  Refinement boxes = grid_->refinement();
   c("grid/cut_for_X", X);
   if (X.size() != X_of_cuts_.size())
     throw IoError(fmt::format("{}: {} nodes, but the case builds {}", c.path(), X.size(), X_of_cuts_.size()));
   ib3d::save_or_restore(c, "grid", boxes);
   const bool as_built = std::memcmp(X.data(), X_of_cuts_.data(), X.size() * sizeof(Vec3)) == 0;
-  if (c.reading() && (!as_built || boxes != fluid_->grid().refinement())) rebuild(boxes, X);
+  if (c.reading() && (!as_built || boxes != grid_->refinement())) rebuild(boxes, X);
   c("grid/fits_X", X_of_grid_);
   c("grid/moved_cells", moved_cells_);
   fluid_->save_or_restore(c);
@@ -222,7 +220,7 @@ void ImmersedBoundarySolver::save_or_restore(Checkpoint& c)
   c("structure/steps_since_elastic", steps_since_elastic_);
   c("fluid/steps_since_convection", steps_since_convection_);
   c("fluid/cfl_since_convection", cfl_since_convection_);
-  markers_.save_or_restore(c, fluid_->grid());
+  markers_.save_or_restore(c, *grid_);
 }
 
 }  // namespace valsalva::ib3d

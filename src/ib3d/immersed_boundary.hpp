@@ -4,10 +4,11 @@
 //   begin_step(dt)      elastic force, spread to the grid, explicit part of the momentum equation
 //   solve_fluid(p)      pressure for these opening pressures -> flows
 //   accept(phi)         opening pressures corrected by phi, velocity projected, structure moved
+// Until `accept` all is as it was at t^n: a step can be given up and begun again with another dt.
 // Structure updates (key structure.scheme):
 //   leapfrog  F[X^n] drives u^{n+1};  X^{n+1} = X^n + dt J[X^n] u^{n+1}
 //   midpoint  X' = X^n + dt/2 J[X^n] u^n;  F[X'] drives u^{n+1};  X^{n+1} = X^n + dt J[X'] (u^n + u^{n+1})/2
-// With fold_relaxation > 0 (key structure.fold_relaxation_s) J u is joined by the slip of structure/fold_relaxation.
+// J u is joined by the slip of the structure, if it has any. It is known as an ElasticModel alone.
 // All calls are collective. dyn, cm, s.
 #pragma once
 
@@ -25,28 +26,28 @@ enum class StructureScheme { leapfrog, midpoint };
 
 class ImmersedBoundarySolver {
  public:
-  /// `refinement` says when and how the grid follows the structure and the flow, `seeds` where passive markers set out,
-  /// `fold_relaxation` (s; 0: never) in what time folds of the node spacing are flattened.
+  /// `refinement` says when and how the grid follows the structure and the flow, `seeds` where passive markers set out.
   /// Throws SolverError when a node lies outside the domain.
-  ImmersedBoundarySolver(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
-                         const PressureOptions& pressure, FibreNetwork structure, StructureScheme scheme,
-                         Timers& timers, RefinementPolicy refinement = {}, std::vector<MarkerSeed> seeds = {},
-                         double fold_relaxation = 0);
+  ImmersedBoundarySolver(Hierarchy grid, std::vector<Opening> openings, const FluidParameters& fluid,
+                         const PressureOptions& pressure, std::unique_ptr<const ElasticModel> structure,
+                         StructureScheme scheme, Timers& timers, RefinementPolicy refinement = {},
+                         std::vector<MarkerSeed> seeds = {});
 
   void begin_step(double dt);
   std::vector<double> solve_fluid(const std::vector<double>& opening_pressure);
   void accept(const std::vector<double>& phi);
   /// Lets the markers set out that are due at time t: at the start, and after every step.
-  void seed_markers(double t) { markers_.seed_due(fluid_->grid(), fluid_->u(), t); }
+  void seed_markers(double t) { markers_.seed_due(*grid_, fluid_->u(), t); }
 
   /// Largest of |u| + |v| + |w| over h in the current velocity (1/s), the same on all ranks.
   double courant_rate() const { return courant_rate_; }
   /// omega_max of the structure (1/s), refreshed every few steps.
   double elastic_rate();
 
-  /// Energy of the fibre network, erg. Collective.
-  double elastic_energy() const;
+  /// Energy of the structure, erg. Collective.
+  double elastic_energy() const { return nodes_.whole().energy(nodes_.gather(X_)); }
 
+  const Hierarchy& grid() const { return *grid_; }
   const NavierStokes& fluid() const { return *fluid_; }
   const NodeDistribution& nodes() const { return nodes_; }
   /// Positions of the local nodes, owned ones first, copies after them (current up to the last `accept`).
@@ -57,22 +58,18 @@ class ImmersedBoundarySolver {
   void save_or_restore(Checkpoint& c);
 
  private:
-  /// Whether convection is left as it was found before, in a step of this length.
-  bool keep_convection(double dt);
-  /// After nodes of this rank have moved by at most `moved_cells`.
+  /// What a step of this length adds to the CFL numbers since convection was found.
+  double convective_cfl(double dt) const;
   /// After nodes of this rank have moved by at most `moved_cells` along any direction.
   void check_and_redistribute(double moved_cells);
   void regrid_if_moved();
   /// Moves everything to refined levels of these boxes, made for nodes at X (all of them).
   void rebuild(const Refinement& boxes, const std::vector<Vec3>& X);
 
-  /// Adds to U_ the slip of the nodes at X.
-  void add_slip(const std::vector<Vec3>& X);
-
   StructureScheme scheme_;
-  double fold_relaxation_;  ///< s
   Timers& timers_;
   RefinementPolicy policy_;
+  std::unique_ptr<const Hierarchy> grid_;  ///< outlives all that refers to it
   std::unique_ptr<NavierStokes> fluid_;
   NodeDistribution nodes_;
   Interaction interaction_;
@@ -84,8 +81,7 @@ class ImmersedBoundarySolver {
   std::vector<Vec3> X_of_cuts_;  ///< all nodes where the ranks' regions were chosen
   std::vector<Vec3> X_of_grid_;  ///< all nodes where the grid was last found to fit them
   double moved_cells_ = 0;       ///< bound of how far anything tagged has moved since
-  double room_cells_ =
-      0;  ///< how far nodes of this rank may surely move before one is too far out of its patch
+  double room_cells_ = 0;        ///< how far nodes may surely move before one is too far out of its patch
   int steps_since_elastic_ = 0;
   int steps_since_convection_ = 0;
   double cfl_since_convection_ = 0;

@@ -2,29 +2,26 @@
 
 #include <cmath>
 
-#include "ib3d/structure/fibres/fibre_force.hpp"
-
 namespace valsalva::ib3d {
 
 double ElasticBound::update(const NodeDistribution& nodes, const Interaction& interaction,
                             const std::vector<Vec3>& X, int sweeps)
 {
   if (nodes.whole().node_count() == 0) return 0;
-  const FibrePart& part = nodes.part();
   if (!started_) {
     started_ = true;
     // Deterministic, rough, and the same whatever the number of ranks.
     v_.resize(X.size());
     for (std::size_t i = 0; i < v_.size(); ++i) {
-      const int n = part.global[i];
+      const int n = nodes.global()[i];
       v_[i] = {std::sin(1.3 * n), std::cos(2.1 * n), std::sin(3.7 * n + 1)};
     }
     sweeps += 20;
   }
-  stiff_.resize(X.size());
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     nodes.fill_copies(v_);
-    fibre_stiffness_times(part.network, X, v_, stiff_, SlackSprings::just_taut);
+    stiff_.assign(X.size(), Vec3{0, 0, 0});
+    nodes.part().add_stiffness_times(X, v_, stiff_);
     interaction.spread(nodes.first(), X, stiff_, f_);
     interaction.fill_ghosts(f_);
     double sums[2] = {0, 0};
@@ -33,7 +30,7 @@ double ElasticBound::update(const NodeDistribution& nodes, const Interaction& in
     interaction.interpolate(nodes.first(), X, f_, v_);
     for (int n = 0; n < nodes.owned(); ++n)
       sums[1] += dot(v_[static_cast<std::size_t>(n)], v_[static_cast<std::size_t>(n)]);
-    MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, level_.comm);
+    MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, comm_);
     if (sums[1] == 0) return omega_ = 0;
     omega_ = std::sqrt(std::sqrt(sums[1] / sums[0]) / density_);
     const double scale = 1 / std::sqrt(sums[1]);

@@ -32,7 +32,7 @@ constexpr const char* limit_name(Limit l)
 class ElasticBound {
  public:
   /// Of the finest level; density in g/cm^3.
-  ElasticBound(const Level& level, double density) : level_(level), density_(density), f_(level) {}
+  ElasticBound(const Level& level, double density) : comm_(level.comm), density_(density), f_(level) {}
 
   /// `sweeps` more power iterations at the positions X (all local nodes); returns omega_max (1/s), 0 without
   /// a structure. Collective.
@@ -46,7 +46,7 @@ class ElasticBound {
   void save_or_restore(Checkpoint& c, const NodeDistribution& nodes);
 
  private:
-  Level level_;
+  MPI_Comm comm_;
   double density_;
   MacField f_;
   std::vector<Vec3> v_, stiff_;

@@ -8,8 +8,7 @@
 #include <regex>
 
 #include "common/error.hpp"
-#include "setup/build_model.hpp"
-#include "setup/case_keys.hpp"
+#include "setup/same_run.hpp"
 
 namespace valsalva::run {
 
@@ -52,43 +51,19 @@ std::vector<long> agreed_steps_in(const std::string& out, const Communicator& co
   return steps;
 }
 
-bool may_change(const std::string& key)
-{
-  if (key == "output.probes_z_cm") return false;  // the columns of probes.csv
-  return key == "title" || key == "time.end_s" || key == "time.stop_when_periodic_within" ||
-         key.starts_with("output.") || key.starts_with("checkpoint.");
-}
-
-Checkpoint open_checked(const std::string& path, const CaseFile& c, const Communicator& comm)
+Checkpoint open_checked(const std::string& path, const setup::Case& c, const Communicator& comm)
 {
   Checkpoint file = Checkpoint::open(path, comm.raw());
   std::string text;
   file("case", text);
-  check_same_run(c, CaseFile::parse(text, path, setup::case_keys()), path);
+  setup::check_same_run(c, text, path);
   return file;
 }
 
 }  // namespace
 
-void check_same_run(const CaseFile& now, const CaseFile& then, const std::string& checkpoint)
-{
-  std::vector<CaseProblem> problems;
-  for (CaseProblem& p : now.differences_from(then)) {
-    if (may_change(p.key) || p.key == "time.period_s") continue;
-    p.message += " when " + checkpoint + " was written; put it back, or begin anew with --force";
-    problems.push_back(std::move(p));
-  }
-  const double beat = setup::beat_length(now), beat_then = setup::beat_length(then);
-  if (beat != beat_then)
-    problems.push_back(now.section("time").problem(
-        "period_s", fmt::format("the beat is {:.9g} s long now, it was {:.9g} s when {} was written; set "
-                                "time.period_s = {:.9g}, or begin anew with --force",
-                                beat, beat_then, checkpoint, beat_then)));
-  if (!problems.empty()) throw CaseError(problems);
-}
-
 std::optional<Restart> find_restart(const std::string& restart, const std::string& folder, bool force,
-                                    const CaseFile& c, const Communicator& comm)
+                                    const setup::Case& c, const Communicator& comm)
 {
   if (restart.empty()) return std::nullopt;
   if (restart != "latest") return Restart{open_checked(restart, c, comm), {}};
@@ -105,16 +80,16 @@ std::optional<Restart> find_restart(const std::string& restart, const std::strin
   const bool occupied = comm.is_rank_0() && fs::exists(folder, none) && !fs::is_empty(folder, none);
   if (!comm.any(occupied) || force) return std::nullopt;
   throw CaseError("", "the output folder '" + folder +
-                          "' holds no checkpoint to continue from; add --force to begin anew");
+                          "' holds no checkpoint to continue from; add --force to start again");
 }
 
-RunCheckpoints::RunCheckpoints(const std::string& folder, const CaseFile& c, const Communicator& comm,
+RunCheckpoints::RunCheckpoints(const std::string& folder, const setup::Case& c, const Communicator& comm,
                                double wall_s, SaveOrRestore state, SaveOrRestore output)
     : folder_(folder),
-      case_text_(c.resolved_toml()),
+      case_text_(c.source.resolved_toml()),
       comm_(comm),
-      every_s_(c.section("checkpoint").real("every_wall_s")),
-      keep_(static_cast<std::size_t>(c.section("checkpoint").integer("keep"))),
+      every_s_(c.checkpoints.every_wall_s),
+      keep_(static_cast<std::size_t>(c.checkpoints.keep)),
       state_(std::move(state)),
       output_(std::move(output)),
       last_wall_s_(wall_s)

@@ -33,28 +33,28 @@ bool is_wall(const ib3d::NodeGroup& group)
 }
 
 /// The group of every node of the whole structure.
-std::vector<int> group_of_nodes(const ib3d::FibreNetwork& whole)
+std::vector<int> group_of_nodes(const ib3d::ElasticModel& whole)
 {
   std::vector<int> group(static_cast<std::size_t>(whole.node_count()), 0);
-  for (std::size_t g = 0; g < whole.groups.size(); ++g)
-    for (int n = whole.groups[g].first; n < whole.groups[g].last; ++n)
+  for (std::size_t g = 0; g < whole.groups().size(); ++g)
+    for (int n = whole.groups()[g].first; n < whole.groups()[g].last; ++n)
       group[static_cast<std::size_t>(n)] = static_cast<int>(g);
   return group;
 }
 
 }  // namespace
 
-Snapshots::Snapshots(const std::string& folder, const CaseFile& c, setup::CaseModel& model,
+Snapshots::Snapshots(const std::string& folder, const setup::Output& output, setup::CaseModel& model,
                      const Communicator& comm)
     : folder_(folder),
       model_(model),
       comm_(comm),
       has_structure_(model.structure().network.node_count() > 0),
-      has_markers_(model.root().markers().wanted())
+      has_markers_(model.solver().markers().wanted())
 {
   const double never = std::numeric_limits<double>::infinity();
-  fields_.every_s = c.section("output").real("fields_every_s");
-  structure_.every_s = c.section("output").real("structure_every_s");
+  fields_.every_s = output.fields_every_s;
+  structure_.every_s = output.structure_every_s;
   if (fields_.every_s == 0) fields_.every_s = fields_.next_s = never;
   if (structure_.every_s == 0 || (!has_structure_ && !has_markers_))
     structure_.every_s = structure_.next_s = never;
@@ -109,7 +109,7 @@ void Snapshots::save_or_restore(Checkpoint& c)
 
 void Snapshots::write_fields(double t)
 {
-  const ib3d::NavierStokes& fluid = model_.root().fluid();
+  const ib3d::NavierStokes& fluid = model_.solver().fluid();
   std::vector<ib3d::AmrLevel> levels;
   for (std::size_t l = 0; l < fluid.u().size(); ++l) {
     const ib3d::Level& level = fluid.grid().levels()[l];
@@ -125,44 +125,44 @@ void Snapshots::write_fields(double t)
 
 void Snapshots::write_structure(const std::string& name, double t, bool wall)
 {
-  const ib3d::NodeDistribution& nodes = model_.root().nodes();
-  const std::vector<Vec3>& X = model_.root().X();
-  const ib3d::FibrePart& part = nodes.part();
+  const ib3d::NodeDistribution& nodes = model_.solver().nodes();
+  const std::vector<Vec3>& X = model_.solver().X();
   const std::vector<int> group = group_of_nodes(nodes.whole());
   std::vector<std::string> names;
-  for (const ib3d::NodeGroup& g : nodes.whole().groups) names.push_back(g.name);
+  for (const ib3d::NodeGroup& g : nodes.whole().groups()) names.push_back(g.name);
 
-  ib3d::FibrePicture picture;
+  ib3d::StructurePicture picture;
   std::vector<int> number(X.size(), -1);  // of a local node among the picture's points
   const auto add_point = [&](int n) {
     const auto i = static_cast<std::size_t>(n);
     if (number[i] < 0) {
       number[i] = static_cast<int>(picture.points.size());
       picture.points.push_back(X[i]);
-      picture.group.push_back(group[static_cast<std::size_t>(part.global[i])]);
+      picture.group.push_back(group[static_cast<std::size_t>(nodes.global()[i])]);
     }
     return number[i];
   };
-  for (int n = 0; n < part.owned; ++n) {
-    const auto g =
-        static_cast<std::size_t>(group[static_cast<std::size_t>(part.global[static_cast<std::size_t>(n)])]);
-    const bool in_wall = !nodes.whole().groups.empty() && is_wall(nodes.whole().groups[g]);
+  for (int n = 0; n < nodes.owned(); ++n) {
+    const auto g = static_cast<std::size_t>(
+        group[static_cast<std::size_t>(nodes.global()[static_cast<std::size_t>(n)])]);
+    const bool in_wall = !nodes.whole().groups().empty() && is_wall(nodes.whole().groups()[g]);
     if (in_wall == wall) add_point(n);
   }
-  const ib3d::Springs& springs = part.network.springs;
-  for (std::size_t s = 0; !wall && s < springs.a.size(); ++s) {
-    if (springs.a[s] >= part.owned) continue;  // the owner of its first node draws it
-    picture.lines.push_back({add_point(springs.a[s]), add_point(springs.b[s])});
-    const double length =
-        norm(X[static_cast<std::size_t>(springs.b[s])] - X[static_cast<std::size_t>(springs.a[s])]);
-    picture.strain.push_back(static_cast<float>(length / springs.rest_length[s] - 1));
+  const ib3d::StrainedElements drawing = wall ? ib3d::StrainedElements{} : nodes.part().drawing(X);
+  for (int e = 0; e < drawing.elements.count(); ++e) {
+    const std::span<const int> joined = drawing.elements[e];
+    if (joined[0] >= nodes.owned()) continue;  // the owner of its first node draws it
+    std::vector<int> points;
+    for (const int n : joined) points.push_back(add_point(n));
+    picture.elements.add(points);
+    picture.strain.push_back(static_cast<float>(drawing.strain[static_cast<std::size_t>(e)]));
   }
-  ib3d::write_fibres(folder_ + "/structure/" + name, t, picture, names, comm_.raw());
+  ib3d::write_structure(folder_ + "/structure/" + name, t, picture, names, comm_.raw());
 }
 
 void Snapshots::write_markers(const std::string& name, double t)
 {
-  const ib3d::Markers& markers = model_.root().markers();
+  const ib3d::Markers& markers = model_.solver().markers();
   std::vector<std::string> names;
   for (const ib3d::MarkerSeed& seed : markers.seeds()) names.push_back(seed.name);
   ib3d::MarkerPicture picture;

@@ -8,10 +8,9 @@
 
 #include <string>
 
-#include "casefile/case_file.hpp"
 #include "common/comm.hpp"
 #include "lumped/network/lumped_state.hpp"
-#include "lumped/network/network_spec.hpp"
+#include "setup/case.hpp"
 
 namespace valsalva::setup {
 
@@ -27,6 +26,6 @@ struct NetworkStart {
 /// that does not repeat, or if blood flows through a 3D root when the beat begins; SolverError if no periodic
 /// state is found. Rank 0 computes: the others have its load, but neither its state, which they get from
 /// coupling::Circulation, nor its text. Collective.
-NetworkStart network_start(const CaseFile& c, lumped::NetworkSpec spec, const Communicator& comm);
+NetworkStart network_start(const Case& c, lumped::NetworkSpec spec, const Communicator& comm);
 
 }  // namespace valsalva::setup

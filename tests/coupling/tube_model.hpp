@@ -10,6 +10,7 @@
 #include "common/units.hpp"
 #include "coupling/coupled_model.hpp"
 #include "ib3d/fluid/tube.hpp"
+#include "ib3d/structure/fibres/fibre_model.hpp"
 #include "lumped/specs.hpp"
 
 namespace valsalva::coupling {
@@ -34,7 +35,8 @@ struct TubeModel {
       : circulation(network, Communicator(MPI_COMM_SELF)),
         grid(ib3d::walled_box(kTubeSize), kTubeSize[0] / 8, MPI_COMM_SELF),
         root(grid, ib3d::both_ends(kTubeSize), {1.06, 0.0, ib3d::Advection::none}, {"multilevel", 1e-10, 50},
-             {}, ib3d::StructureScheme::leapfrog, timers),
+             std::make_unique<ib3d::FibreModel>(ib3d::FibreNetwork{}), ib3d::StructureScheme::leapfrog,
+             timers),
         model(root, circulation, scheme, control, timers)
   {
   }

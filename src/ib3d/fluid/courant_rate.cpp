@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "ib3d/grid/row_kernels.hpp"
 
 namespace valsalva::ib3d {
 
@@ -21,8 +22,7 @@ inline double fastest_in_row(const double* a, const double* b, const double* c, 
     fastest = std::max(fastest, x + y + z);
     total += x + y + z;
   }
-  // A maximum passes over what is not a number; the sum does not.
-  return std::isfinite(total) ? fastest : std::numeric_limits<double>::infinity();
+  return largest_or_infinity(fastest, total);
 }
 
 }  // namespace

@@ -21,9 +21,17 @@ MomentumWeights weights_of(const Level& level, const FluidParameters& fluid, dou
 
 void Rates::renew()
 {
+  if (of_now) return;
   std::swap(last, before);
   gap = age;
   age = 0;
+  of_now = true;
+}
+
+void Rates::accept(double dt)
+{
+  age += dt;
+  of_now = false;
 }
 
 void advance_momentum(const Level& level, const FluidParameters& fluid, const MacField& u, const MacField* f,

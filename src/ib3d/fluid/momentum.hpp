@@ -19,19 +19,24 @@ struct FluidParameters {
   double density = 1.0;     ///< rho, g/cm^3
   double viscosity = 0.04;  ///< mu, g/(cm s)
   Advection advection = Advection::xsppm7;
-  double convection_cfl =
-      0;  ///< sum of CFL numbers over the steps that share one evaluation of convection; 0: none do
+  /// Largest sum of CFL numbers over the steps that share one evaluation of convection; 0: none do.
+  double convection_cfl = 0.4;
   ViscosityScheme viscosity_scheme = ViscosityScheme::explicit_;
 };
 
 /// The convective and viscous rates of change of a velocity field, found last and before that, and their times.
 struct Rates {
   CompositeMac last, before;  ///< G_b, G_a, cm/s^2
-  double age = 0;             ///< t^n - t_b, s; 0: no G_b yet
+  double age = 0;             ///< t^n - t_b, s
   double gap = 0;             ///< t_b - t_a, s; 0: no G_a yet
+  bool of_now = false;        ///< t_b is t^n: found in the step that is being tried
 
-  /// Makes room for rates at t^n in `last`.
+  /// Whether there is a G_b.
+  bool known() const { return of_now || age > 0; }
+  /// Makes room for rates at t^n in `last`, once in a step.
   void renew();
+  /// After a step dt.
+  void accept(double dt);
   /// w1 of a step dt.
   double weight_before(double dt) const { return gap > 0 ? -(age + 0.5 * dt) / gap : 0.0; }
 };

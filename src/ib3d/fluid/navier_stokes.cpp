@@ -22,14 +22,10 @@ void close_walls(const PressureGrid& grid, MacField& u)
 {
   const Level& level = grid.level();
   for (int p = 0; p < level.local_count(); ++p)
-    for (const SidePlane<float>& theta : grid.shares(p)) {
-      const int d = side_direction(theta.side);
-      const auto dd = static_cast<std::size_t>(d);
-      theta.for_each(side_is_high(theta.side) ? level.box.hi[dd] : level.box.lo[dd],
-                     [&](const Int3& at, int a, int b) {
-                       if (theta(a, b) == 0) u(p, d)(at[0], at[1], at[2]) = 0;
-                     });
-    }
+    for (const SidePlane<float>& theta : grid.shares(p))
+      theta.for_each(level.box.faces_at(theta.side), [&](const Int3& at, int a, int b) {
+        if (theta(a, b) == 0) u(p, axis(theta.side))(at[0], at[1], at[2]) = 0;
+      });
 }
 
 }  // namespace
@@ -48,6 +44,7 @@ NavierStokes::NavierStokes(const Hierarchy& grid, std::vector<Opening> openings,
       rates_{composite_faces(grid_), composite_faces(grid_)},
       p_(composite_cells<double>(grid_)),
       p_before_(composite_cells<double>(grid_)),
+      p_new_(composite_cells<double>(grid_)),
       p_b_(solver_.problem().zero_boundary_pressure())
 {
   if (fluid.viscosity_scheme == ViscosityScheme::crank_nicolson) viscous_.emplace(grid_);
@@ -114,6 +111,7 @@ void NavierStokes::set_velocity(const CompositeMac& u)
   u_new_ = u_;
   dt_ = dt_before_ = 0;
   rates_.age = rates_.gap = 0;
+  rates_.of_now = false;
   finest_rate_.reset();
 }
 
@@ -128,7 +126,7 @@ double NavierStokes::courant_rate() const
 std::vector<double> NavierStokes::kinetic_outflow() const
 {
   return opening_faces_.flow_of([&](const OpeningFaces::Face& f) {
-    const double w = u_[static_cast<std::size_t>(f.level)](f.patch, 2)(f.i, f.j, f.k);
+    const double w = f.normal(u_);
     return 0.5 * fluid_.density * w * w * w;
   });
 }
@@ -137,24 +135,22 @@ void NavierStokes::begin_step(const MacField& f, double dt, bool keep_rates)
 {
   std::vector<const MacField*> force(u_.size(), nullptr);
   force.back() = &f;
-  advance_velocity(force, dt, keep_rates);
+  compute_u_star(force, dt, keep_rates);
 }
 
 void NavierStokes::begin_step(const CompositeMac& f, double dt, bool keep_rates)
 {
   std::vector<const MacField*> force;
   for (const MacField& level : f) force.push_back(&level);
-  advance_velocity(force, dt, keep_rates);
+  compute_u_star(force, dt, keep_rates);
 }
 
-void NavierStokes::advance_velocity(const std::vector<const MacField*>& f, double dt, bool keep_rates)
+void NavierStokes::compute_u_star(const std::vector<const MacField*>& f, double dt, bool keep_rates)
 {
-  dt_before_ = dt_;
   dt_ = dt;
-  const bool keep = keep_rates && rates_.age > 0;
+  const bool keep = keep_rates && rates_.known();
   if (!keep) rates_.renew();
   const double w1 = rates_.weight_before(dt);
-  rates_.age += dt;
   for (std::size_t l = 0; l < u_.size(); ++l) {
     const Level& level = grid_.levels()[l];
     if (keep)
@@ -173,10 +169,9 @@ void NavierStokes::prescribe(const std::vector<double>& opening_pressure)
   const std::vector<double> flow = opening_faces_.flow(u_);
   const bool convected = fluid_.advection != Advection::none;
   for (std::size_t m = 0; m < openings_.size(); ++m) {
-    const double inward = side_is_high(openings_[m].side) ? -1.0 : 1.0;
     const double mean = -flow[m] / opening_faces_.area(m);
     for (const OpeningFaces::Face& f : opening_faces_.of(m)) {
-      const double w = inward * u_[static_cast<std::size_t>(f.level)](f.patch, 2)(f.i, f.j, f.k);
+      const double w = inward(f.side) * f.normal(u_);
       const double excess = convected ? fluid_.density * (w * std::abs(w) - mean * std::abs(mean)) : 0.0;
       set_boundary_pressure(p_b_, f, opening_pressure[m] - excess);
     }
@@ -187,7 +182,7 @@ void NavierStokes::prescribe(const std::vector<double>& opening_pressure)
 /// u^{n+1} to second order; it is taken out again for the projection to put in the whole.
 void NavierStokes::diffuse()
 {
-  solver_.problem().fill_ghosts(p_, p_b_);
+  solver_.problem().fill_ghosts(p_new_, p_b_);
   subtract_gradient(dt_);
   const double diffusion = 0.5 * dt_ * fluid_.viscosity / fluid_.density;
   viscous_sweeps_ = viscous_->solve(diffusion, u_, u_new_, [this](CompositeMac& v) { complete(v); });
@@ -201,32 +196,34 @@ std::vector<double> NavierStokes::solve_pressure(const std::vector<double>& open
   const double ratio = dt_before_ > 0 ? dt_ / dt_before_ : 0.0;
   for (std::size_t l = 0; l < p_.size(); ++l)
     for (int q = 0; q < p_[l].patch_count(); ++q)
-      extrapolate_row(p_[l][q].data().data(), p_before_[l][q].data().data(), ratio, p_[l][q].data().size());
+      extrapolate_row(p_new_[l][q].data().data(), p_[l][q].data().data(), p_before_[l][q].data().data(),
+                      ratio, p_[l][q].data().size());
   prescribe(opening_pressure);
   if (viscous_) diffuse();
   const double source = fluid_.density / dt_;
-  report_ = solver_.solve(p_, p_b_, &u_new_, source, solver_.options().divergence_tolerance * source,
+  report_ = solver_.solve(p_new_, p_b_, &u_new_, source, solver_.options().divergence_tolerance * source,
                           solver_.options().max_iterations);
   return opening_faces_.flow_of([&](const OpeningFaces::Face& f) {
-    const auto l = static_cast<std::size_t>(f.level);
-    const Array3<double>& p = p_[l][f.patch];
-    return u_new_[l](f.patch, 2)(f.i, f.j, f.k) -
-           dt_ / (fluid_.density * grid_.levels()[l].h) * (p(f.i, f.j, f.k) - p(f.i, f.j, f.k - 1));
+    return f.normal(u_new_) - dt_ / (fluid_.density * grid_.level(f.level).h) * f.jump(p_new_);
   });
 }
 
 void NavierStokes::finish_step(const std::vector<double>& phi)
 {
-  finest_rate_ = correct_velocity(grid_, modes_, phi, dt_ / fluid_.density, p_, u_new_);
+  finest_rate_ = correct_velocity(grid_, modes_, phi, dt_ / fluid_.density, p_new_, u_new_);
   average_down(u_new_);
   fill_velocity_ghosts(u_new_);
   std::swap(u_, u_new_);
+  std::swap(p_, p_before_);
+  std::swap(p_, p_new_);
+  rates_.accept(dt_);
+  dt_before_ = dt_;
 }
 
 void NavierStokes::subtract_gradient(double dt)
 {
   for (std::size_t l = 0; l < u_.size(); ++l)
-    ib3d::subtract_gradient(grid_.levels()[l], dt / fluid_.density, p_[l], u_new_[l]);
+    ib3d::subtract_gradient(grid_.levels()[l], dt / fluid_.density, p_new_[l], u_new_[l]);
 }
 
 void NavierStokes::save_or_restore(Checkpoint& c)
@@ -244,6 +241,8 @@ void NavierStokes::save_or_restore(Checkpoint& c)
     ib3d::save_or_restore(c, name + "p_before", level, p_before_[l]);
   }
   if (!c.reading()) return;
+  dt_before_ = dt_;
+  rates_.of_now = false;
   fill_velocity_ghosts(u_);
   finest_rate_.reset();
 }

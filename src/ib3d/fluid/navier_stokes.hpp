@@ -6,7 +6,8 @@
 //     u^{n+1} = u* - (dt/rho) grad p                              finish_step(phi)
 // on all levels with one dt; coarse faces under finer ones hold the mean of these. The whole pressure is solved for in
 // each step, so there is no splitting error; the superposition of opening modes lets the coupling correct the opening
-// pressures by phi between the last two calls. Fields have one entry per level. All calls are collective.
+// pressures by phi between the last two calls. Until finish_step the state stays that of t^n: a step can be given up and
+// begun again with another dt or force. Fields have one entry per level. All calls are collective.
 #pragma once
 
 #include <optional>
@@ -20,10 +21,11 @@ namespace valsalva::ib3d {
 
 class NavierStokes {
  public:
+  /// `grid` must outlive the object.
   NavierStokes(const Hierarchy& grid, std::vector<Opening> openings, const FluidParameters& fluid,
                const PressureOptions& pressure);
 
-  /// The same flow on another hierarchy (a regrid): fields and history are carried over.
+  /// The same flow on another hierarchy (a regrid), between steps: fields and history are carried over.
   NavierStokes(const Hierarchy& grid, const NavierStokes& before);
 
   NavierStokes(const NavierStokes&) = delete;  // its members refer to each other
@@ -31,7 +33,8 @@ class NavierStokes {
 
   /// u* from u^n; f in dyn/cm^3 on the faces of the finest level, complete on the owned ones; none on the others.
   /// keep_rates: convection and explicit viscosity are extrapolated from where they were found before instead of being
-  /// found at t^n (not in the first step after set_velocity).
+  /// found at t^n (not in the first step after set_velocity). Rates once found at t^n stay when the step is begun again:
+  /// `keep_rates` then keeps those.
   void begin_step(const MacField& f, double dt, bool keep_rates = false);
   /// The same with a force on all levels.
   void begin_step(const CompositeMac& f, double dt, bool keep_rates = false);
@@ -40,8 +43,10 @@ class NavierStokes {
   /// rho (w|w| - W|W|), w the inward velocity and W its mean over the disc: neutral for plug flow, it keeps
   /// recirculation at an opening from growing.
   std::vector<double> solve_pressure(const std::vector<double>& opening_pressure);
-  /// Adds phi (dyn/cm^2) to the opening pressures by superposition, corrects the velocity and makes it
-  /// current.
+  /// Whether the rates of the step under way were found at t^n.
+  bool rates_found() const { return rates_.of_now; }
+  /// Adds phi (dyn/cm^2) to the opening pressures by superposition, corrects the velocity and makes velocity, pressure and
+  /// rates of change those of t^{n+1}.
   void finish_step(const std::vector<double>& phi);
 
   const CompositeMac& u() const { return u_; }             ///< u^n, ghosts filled
@@ -69,7 +74,7 @@ class NavierStokes {
   void save_or_restore(Checkpoint& c);
 
  private:
-  void advance_velocity(const std::vector<const MacField*>& f, double dt, bool keep_rates);
+  void compute_u_star(const std::vector<const MacField*>& f, double dt, bool keep_rates);
   void prescribe(const std::vector<double>& opening_pressure);
   void diffuse();
   /// u_new_ -= (dt/rho) grad p.
@@ -80,7 +85,7 @@ class NavierStokes {
   /// Closes the walls, averages down and fills the ghosts.
   void complete(CompositeMac& u);
 
-  Hierarchy grid_;
+  const Hierarchy& grid_;
   std::vector<Opening> openings_;
   FluidParameters fluid_;
   std::vector<CoarseFine> transfers_;
@@ -92,11 +97,11 @@ class NavierStokes {
   std::vector<Halo> shared_faces_;        ///< only the faces that two patches share, from their owner
   CompositeMac u_, u_new_;
   Rates rates_;
-  CompositeCells<double> p_, p_before_;
+  CompositeCells<double> p_, p_before_, p_new_;
   std::vector<BoundaryPressure> p_b_;
   KrylovReport report_;
   int viscous_sweeps_ = 0;
-  double dt_ = 0, dt_before_ = 0;
+  double dt_ = 0, dt_before_ = 0;      ///< of the step that was begun last and of the last one finished
   std::optional<double> finest_rate_;  ///< Courant rate of u_ on the finest level, where a step has left it
 };
 

@@ -31,10 +31,8 @@ OpeningModes::OpeningModes(const OpeningFaces& openings, PressureSolver& solver,
     CompositeCells<double>& psi = psi_.emplace_back(composite_cells<double>(grid));
     const double largest_gradient = 1 / std::pow(grid.finest().h, 2);
     solver.solve(psi, p_b, nullptr, 0, 1e-10 * largest_gradient, kIterations);
-    const std::vector<double> flux = openings.flow_of([&](const OpeningFaces::Face& f) {
-      const Array3<double>& a = psi[static_cast<std::size_t>(f.level)][f.patch];
-      return (a(f.i, f.j, f.k) - a(f.i, f.j, f.k - 1)) / grid.level(f.level).h;
-    });
+    const std::vector<double> flux =
+        openings.flow_of([&](const OpeningFaces::Face& f) { return f.jump(psi) / grid.level(f.level).h; });
     for (int j = 0; j < openings.count(); ++j)
       conductance_(j, k) = flux[static_cast<std::size_t>(j)] / density;
   }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "common/error.hpp"
 #include "ib3d/fluid/pressure/composite_pressure.hpp"
 #include "ib3d/grid/row_kernels.hpp"
@@ -28,7 +30,9 @@ int ViscousSolver::solve(double diffusion, const CompositeMac& guess, CompositeM
   for (int sweeps = 1; sweeps <= kMaxSweeps; ++sweeps) {
     sweep(diffusion, *from, u);
     complete(u);
-    if (relative_change(*from, u) <= kRelativeChange) return sweeps;
+    const double change = relative_change(*from, u);
+    if (change <= kRelativeChange) return sweeps;
+    if (!std::isfinite(change)) throw SolverError("the viscous solve met a number that is not finite");
     std::swap(before_, u);
     from = &before_;
   }
@@ -58,7 +62,7 @@ double ViscousSolver::relative_change(const CompositeMac& a, const CompositeMac&
       compare_row(a[l](p, c).at(i, j, k), b[l](p, c).at(i, j, k), largest, n);
     });
   MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPI_DOUBLE, MPI_MAX, grid_.comm());
-  return largest[1] > 0 ? largest[0] / largest[1] : 0.0;
+  return largest[1] > 0 || std::isinf(largest[0]) ? largest[0] / largest[1] : 0.0;
 }
 
 }  // namespace valsalva::ib3d

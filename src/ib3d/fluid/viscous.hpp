@@ -13,13 +13,13 @@ namespace valsalva::ib3d {
 
 class ViscousSolver {
  public:
-  /// Work space for all levels.
+  /// Work space for all levels. `grid` must outlive the object.
   explicit ViscousSolver(const Hierarchy& grid);
 
   /// Replaces b in u by the solution, ghosts filled, and returns the number of sweeps. diffusion = nu dt/2 (cm^2);
   /// `guess` has its ghosts filled; complete(v) imposes what holds beside the equation: closed walls, means on
   /// covered faces, ghosts. Sweeps end when u changes by less than 1e-9 of its largest value; throws SolverError if
-  /// that takes too many.
+  /// that takes too many, or where a number is not finite.
   int solve(double diffusion, const CompositeMac& guess, CompositeMac& u,
             const std::function<void(CompositeMac&)>& complete);
 
@@ -27,7 +27,7 @@ class ViscousSolver {
   void sweep(double diffusion, const CompositeMac& from, CompositeMac& to) const;
   double relative_change(const CompositeMac& a, const CompositeMac& b) const;
 
-  Hierarchy grid_;
+  const Hierarchy& grid_;
   CompositeMac b_, before_;
 };
 

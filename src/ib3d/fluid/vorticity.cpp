@@ -42,8 +42,8 @@ std::vector<RefinedRegion> vortical_blocks(const Hierarchy& grid, const Composit
     std::map<Int3, IndexBox> blocks;
     for (int p = 0; p < level.local_count(); ++p) {
       IndexBox corners = level.local_box(p);  // those at the high walls too
-      for (std::size_t d = 0; d < 3; ++d)
-        corners.hi[d] += level.at_side(level.local_box(p), static_cast<int>(2 * d + 1)) ? 1 : 0;
+      for (const Side side : {Side::x_hi, Side::y_hi, Side::z_hi})
+        if (level.at_side(level.local_box(p), side)) corners = corners.extended(side, 1);
       for_each_index(corners, [&](int i, int j, int k) {
         if (squared_curl(u[static_cast<std::size_t>(l)], p, i, j, k) <= limit) return;
         Int3 cell{i, j, k};

@@ -7,7 +7,6 @@ namespace valsalva::ib3d {
 namespace {
 
 constexpr int kShadowGhosts = kMacGhosts / 2 + 2;
-constexpr int kCells = 3;  ///< "component" of cell-centred values: no direction is normal
 
 /// Weights of the coarse values first, first + 1, ... that give fine value i along one direction.
 struct Taps {
@@ -27,14 +26,14 @@ Taps taps_of(bool normal, int i)
   return {c - 1, 4, {-0.0625, 0.5625, 0.5625, -0.0625}};
 }
 
-/// Coarse values that fine values of this component read.
-IndexBox footprint(const IndexBox& fine, int component)
+/// Coarse values that fine values read.
+IndexBox footprint(const IndexBox& fine, Centring c)
 {
   IndexBox b;
   for (int d = 0; d < 3; ++d) {
     const auto dd = static_cast<std::size_t>(d);
     b.lo[dd] = half_below(fine.lo[dd]) - 1;
-    b.hi[dd] = half_below(fine.hi[dd] - 1) + (d == component ? 3 : 2);
+    b.hi[dd] = half_below(fine.hi[dd] - 1) + (is_normal(c, d) ? 3 : 2);
   }
   return b;
 }
@@ -77,21 +76,23 @@ inline void expand_row(double* __restrict fine, const double* __restrict m, bool
 }
 
 /// One direction after the other: z into a plane of coarse rows, y into a row, x.
-void interpolate_box(const Array3<double>& coarse, Array3<double>& fine, const IndexBox& box, int component)
+void interpolate_box(const Array3<double>& coarse, Array3<double>& fine, const IndexBox& box,
+                     Centring centring)
 {
-  const IndexBox from = footprint(box, component);
+  const IndexBox from = footprint(box, centring);
   const int n = from.size(0), rows = from.size(1);
   std::vector<double> plane(static_cast<std::size_t>(n) * static_cast<std::size_t>(rows)),
       row(static_cast<std::size_t>(n));
   for (int k = box.lo[2]; k < box.hi[2]; ++k) {
-    const Taps z = taps_of(component == 2, k);
+    const Taps z = taps_of(centring == Centring::z_face, k);
     for (int j = 0; j < rows; ++j)
       mix_rows(plane.data() + static_cast<std::ptrdiff_t>(j) * n,
                coarse.at(from.lo[0], from.lo[1] + j, z.first), coarse.stride(2), z, n);
     for (int j = box.lo[1]; j < box.hi[1]; ++j) {
-      const Taps y = taps_of(component == 1, j);
+      const Taps y = taps_of(centring == Centring::y_face, j);
       mix_rows(row.data(), plane.data() + static_cast<std::ptrdiff_t>(y.first - from.lo[1]) * n, n, y, n);
-      expand_row(fine.at(box.lo[0], j, k), row.data() - from.lo[0], component == 0, box.lo[0], box.hi[0]);
+      expand_row(fine.at(box.lo[0], j, k), row.data() - from.lo[0], centring == Centring::x_face, box.lo[0],
+                 box.hi[0]);
     }
   }
 }
@@ -118,17 +119,7 @@ inline void mean_of_cells(T* __restrict out, const T* __restrict a, std::ptrdiff
 std::array<IndexBox, 2> end_planes(const IndexBox& cells, int d)
 {
   const auto dd = static_cast<std::size_t>(d);
-  IndexBox low = faces_of(cells, d), high = low;
-  low.hi[dd] = low.lo[dd] + 1;
-  high.lo[dd] = high.hi[dd] - 1;
-  return {low, high};
-}
-
-/// The values of a patch that may be read: its own and those beyond the sides of the domain.
-IndexBox readable(const Level& level, const IndexBox& cells, int component)
-{
-  return component == kCells ? level.with_outside(cells, cells, 1)
-                             : level.with_outside(cells, faces_of(cells, component), kMacGhosts);
+  return {cells.with_range(d, cells.lo[dd], 1), cells.with_range(d, cells.hi[dd], 1)};
 }
 
 }  // namespace
@@ -146,74 +137,39 @@ CoarseFine::CoarseFine(const Level& coarse, const Level& fine, int ghosts)
       cells_(coarsened_, kShadowGhosts),
       cells_float_(coarsened_, 0)
 {
-  const std::vector<int> here = coarse_.local_numbers(), there = fine_.local_numbers();
-  for (std::size_t f = 0; f < fine_.patches.size(); ++f)
-    for (std::size_t c = 0; c < coarse_.patches.size(); ++c)
-      for_each_image(coarse_, [&](const Int3& shift) {
-        const Int3 back{-shift[0], -shift[1], -shift[2]};
-        const IndexBox from = coarsened_.patches[f].box, to = coarse_.patches[c].box.shifted(back);
-        const int from_owner = fine_.patches[f].owner, to_owner = coarse_.patches[c].owner;
-        for (int d = 0; d < 3; ++d) {
-          down_faces_.add(from_owner, to_owner,
-                          {d, there[f], here[c], intersect(faces_of(from, d), faces_of(to, d)), shift});
-          for (const IndexBox& side : end_planes(from, d))
-            down_edges_.add(from_owner, to_owner,
-                            {d, there[f], here[c], intersect(side, faces_of(to, d)), shift});
-        }
-        const IndexBox common = intersect(from, to);
-        down_cells_.add(from_owner, to_owner, {0, there[f], here[c], common, shift});
-        if (here[c] >= 0 && !common.empty())
-          covered_[static_cast<std::size_t>(here[c])].push_back(common.shifted(shift));
-      });
-
-  std::vector<GhostPart> all;
-  for (std::size_t f = 0; f < fine_.patches.size(); ++f)
+  for_each_overlap(coarsened_, coarse_, [&](std::size_t f, std::size_t c, const Int3& shift) {
+    const Patch &from = coarsened_.patches[f], &to = coarse_.patches[c];
     for (int d = 0; d < 3; ++d) {
-      IndexBox inside = fine_.box;  // in periodic directions everything is inside
-      for (int e = 0; e < 3; ++e)
-        if (fine_.domain.periodic(e)) {
-          inside.lo[static_cast<std::size_t>(e)] -= ghosts;
-          inside.hi[static_cast<std::size_t>(e)] += ghosts;
-        }
-      std::vector<IndexBox> rest{
-          intersect(faces_of(fine_.patches[f].box.grown(ghosts), d), faces_of(inside, d))};
-      for_each_image(fine_, [&](const Int3& shift) {
-        for (const Patch& p : fine_.patches) rest = without(rest, faces_of(p.box, d).shifted(shift));
-      });
-      for (const IndexBox& faces : rest) all.push_back({static_cast<int>(f), d, faces});
+      const Centring face = face_normal_to(d);
+      down_faces_.add(from, to, shift, face, faces_of(from.box, d), faces_of(to.box, d));
+      for (const IndexBox& side : end_planes(from.box, d))
+        down_edges_.add(from, to, shift, face, side, faces_of(to.box, d));
     }
-  up_ghosts_ = plan_footprints(all);
-  for (const GhostPart& g : all)
-    if (const int p = there[static_cast<std::size_t>(g.patch)]; p >= 0)
-      ghosts_.push_back({p, g.component, g.faces});
+    down_cells_.add(from, to, shift, Centring::cell, from.box, to.box);
+    const IndexBox common = intersect(from.box.shifted(shift), to.box);
+    if (to.local >= 0 && !common.empty()) covered_[static_cast<std::size_t>(to.local)].push_back(common);
+  });
+
+  IndexBox inside = fine_.box;  // in periodic directions everything is inside
+  for (const Side side : kSides)
+    if (fine_.domain.periodic(axis(side))) inside = inside.extended(side, ghosts);
+  for (const Patch& patch : fine_.patches)
+    for (int d = 0; d < 3; ++d)
+      for (const IndexBox& faces :
+           uncovered({intersect(faces_of(patch.box.grown(ghosts), d), faces_of(inside, d))}, fine_,
+                     face_normal_to(d))) {
+        plan_footprint(up_ghosts_, patch, face_normal_to(d), faces);
+        if (patch.local >= 0) ghosts_.push_back({patch.local, face_normal_to(d), faces});
+      }
 }
 
-/// `parts` by global patch number.
-CopyPlan CoarseFine::plan_footprints(const std::vector<GhostPart>& parts) const
+/// Values of a patch may be read where they are its own or beyond the sides of the domain.
+void CoarseFine::plan_footprint(CopyPlan& plan, const Patch& to, Centring c, const IndexBox& values) const
 {
-  CopyPlan plan(coarse_.comm);
-  const std::vector<int> here = coarse_.local_numbers(), there = fine_.local_numbers();
-  for (const GhostPart& part : parts) {
-    const auto f = static_cast<std::size_t>(part.patch);
-    std::vector<IndexBox> wanted{footprint(part.faces, part.component)};
-    for (std::size_t c = 0; c < coarse_.patches.size(); ++c)
-      for_each_image(coarse_, [&](const Int3& shift) {
-        const Int3 back{-shift[0], -shift[1], -shift[2]};
-        const IndexBox source = readable(coarse_, coarse_.patches[c].box, part.component).shifted(shift);
-        for (const IndexBox& w : wanted)
-          plan.add(coarse_.patches[c].owner, fine_.patches[f].owner,
-                   {part.component == kCells ? 0 : part.component, here[c], there[f],
-                    intersect(w, source).shifted(back), shift});
-        wanted = without(wanted, source);
-      });
-  }
-  return plan;
-}
-
-void CoarseFine::fetch(const CopyPlan& plan, const MacField& coarse)
-{
-  plan.forward<double>([&](int p, int d) -> const Array3<double>& { return coarse(p, d); },
-                       [&](int p, int d) -> Array3<double>& { return shadow_(p, d); });
+  const int outside = c == Centring::cell ? 1 : kMacGhosts;
+  plan.add_sources(coarse_, to, c, footprint(values, c), [&](const IndexBox& cells) {
+    return coarse_.with_outside(cells, indices_of(cells, c), outside);
+  });
 }
 
 void CoarseFine::average(const MacField& fine, int patch, int component, const IndexBox& faces)
@@ -226,17 +182,11 @@ void CoarseFine::average(const MacField& fine, int patch, int component, const I
   });
 }
 
-void CoarseFine::send_down(const CopyPlan& plan, MacField& coarse)
-{
-  plan.forward<double>([&](int p, int d) -> const Array3<double>& { return shadow_(p, d); },
-                       [&](int p, int d) -> Array3<double>& { return coarse(p, d); });
-}
-
 void CoarseFine::average_down(const MacField& fine, MacField& coarse)
 {
   for (int p = 0; p < fine_.local_count(); ++p)
     for (int d = 0; d < 3; ++d) average(fine, p, d, faces_of(coarsened_.local_box(p), d));
-  send_down(down_faces_, coarse);
+  down_faces_.forward(shadow_, coarse);
 }
 
 void CoarseFine::average_down_edges(const MacField& fine, MacField& coarse)
@@ -244,7 +194,7 @@ void CoarseFine::average_down_edges(const MacField& fine, MacField& coarse)
   for (int p = 0; p < fine_.local_count(); ++p)
     for (int d = 0; d < 3; ++d)
       for (const IndexBox& side : end_planes(coarsened_.local_box(p), d)) average(fine, p, d, side);
-  send_down(down_edges_, coarse);
+  down_edges_.forward(shadow_, coarse);
 }
 
 template <class T>
@@ -258,39 +208,39 @@ void CoarseFine::average_down(const CellField<T>& fine, CellField<T>& coarse)
                     fine[p].stride(2), box.size(0));
     });
   }
-  down_cells_.forward<T>([&](int p, int) -> const Array3<T>& { return means[p]; },
-                         [&](int p, int) -> Array3<T>& { return coarse[p]; });
+  down_cells_.forward(means, coarse);
 }
 template void CoarseFine::average_down(const CellField<float>&, CellField<float>&);
 template void CoarseFine::average_down(const CellField<double>&, CellField<double>&);
 
 void CoarseFine::fill_ghosts(const MacField& coarse, MacField& fine)
 {
-  fetch(up_ghosts_, coarse);
+  up_ghosts_.forward(coarse, shadow_);
   for (const GhostPart& g : ghosts_)
-    interpolate_box(shadow_(g.patch, g.component), fine(g.patch, g.component), g.faces, g.component);
+    interpolate_box(shadow_(g.patch, g.centring), fine(g.patch, g.centring), g.faces, g.centring);
 }
 
 void CoarseFine::interpolate(const MacField& coarse, MacField& fine)
 {
-  std::vector<GhostPart> all;
-  for (std::size_t f = 0; f < fine_.patches.size(); ++f)
-    for (int d = 0; d < 3; ++d) all.push_back({static_cast<int>(f), d, faces_of(fine_.patches[f].box, d)});
-  fetch(plan_footprints(all), coarse);
-  for (int p = 0; p < fine_.local_count(); ++p)
-    for (int d = 0; d < 3; ++d)
-      interpolate_box(shadow_(p, d), fine(p, d), faces_of(fine_.local_box(p), d), d);
+  interpolate(coarse, shadow_, fine, {Centring::x_face, Centring::y_face, Centring::z_face});
 }
 
 void CoarseFine::interpolate(const CellField<double>& coarse, CellField<double>& fine)
 {
-  std::vector<GhostPart> all;
-  for (std::size_t f = 0; f < fine_.patches.size(); ++f)
-    all.push_back({static_cast<int>(f), kCells, fine_.patches[f].box});
-  plan_footprints(all).forward<double>([&](int p, int) -> const Array3<double>& { return coarse[p]; },
-                                       [&](int p, int) -> Array3<double>& { return cells_[p]; });
+  interpolate(coarse, cells_, fine, {Centring::cell});
+}
+
+template <class Field>
+void CoarseFine::interpolate(const Field& coarse, Field& shadow, Field& fine,
+                             const std::vector<Centring>& centrings) const
+{
+  CopyPlan plan(coarse_.comm);
+  for (const Patch& patch : fine_.patches)
+    for (const Centring c : centrings) plan_footprint(plan, patch, c, indices_of(patch.box, c));
+  plan.forward(coarse, shadow);
   for (int p = 0; p < fine_.local_count(); ++p)
-    interpolate_box(cells_[p], fine[p], fine_.local_box(p), kCells);
+    for (const Centring c : centrings)
+      interpolate_box(shadow(p, c), fine(p, c), indices_of(fine_.local_box(p), c), c);
 }
 
 }  // namespace valsalva::ib3d

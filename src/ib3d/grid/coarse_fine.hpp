@@ -13,7 +13,7 @@ namespace valsalva::ib3d {
 
 class CoarseFine {
  public:
-  /// `ghosts`: layers that fill_ghosts fills.
+  /// Both levels must outlive the object. `ghosts`: layers that fill_ghosts fills.
   CoarseFine(const Level& coarse, const Level& fine, int ghosts = kMacGhosts);
 
   /// Faces or cells of the coarse level under the fine one.
@@ -33,20 +33,24 @@ class CoarseFine {
   const std::vector<std::vector<IndexBox>>& covered() const { return covered_; }
 
  private:
-  /// Ghost faces of one fine patch that lie in coarse cells only.
+  /// Ghost faces of one local fine patch that lie in coarse cells only.
   struct GhostPart {
-    int patch, component;
+    int patch;
+    Centring centring;
     IndexBox faces;
   };
-  CopyPlan plan_footprints(const std::vector<GhostPart>& parts) const;
-  void fetch(const CopyPlan& plan, const MacField& coarse);
+  /// Adds to a plan what fetches the coarse values that these values of a fine patch are interpolated from.
+  void plan_footprint(CopyPlan& plan, const Patch& to, Centring c, const IndexBox& values) const;
+  template <class Field>
+  void interpolate(const Field& coarse, Field& shadow, Field& fine,
+                   const std::vector<Centring>& centrings) const;
   /// Means of the fine faces into `faces` (coarse indices) of the shadow.
   void average(const MacField& fine, int patch, int component, const IndexBox& faces);
-  void send_down(const CopyPlan& plan, MacField& coarse);
   CellField<double>& means(double) { return cells_; }
   CellField<float>& means(float) { return cells_float_; }
 
-  Level coarse_, fine_, coarsened_;
+  const Level &coarse_, &fine_;
+  Level coarsened_;
   std::vector<std::vector<IndexBox>> covered_;
   std::vector<GhostPart> ghosts_;
   CopyPlan down_faces_, down_edges_, down_cells_, up_ghosts_;

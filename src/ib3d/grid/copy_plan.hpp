@@ -5,16 +5,14 @@
 // Both are collective. The order of the copies is fixed, so results do not depend on message timing.
 #pragma once
 
-#include <mpi.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <map>
-#include <type_traits>
 #include <vector>
 
 #include "ib3d/grid/fields.hpp"
+#include "ib3d/grid/messages.hpp"
 
 namespace valsalva::ib3d {
 
@@ -40,10 +38,10 @@ inline void copy_row(T* out, const T* in, std::ptrdiff_t n)
   }
 }
 
-/// The values `region` of array `slot` of patch `from` belong at region + shift of array `slot` of patch `to`.
+/// The values `region` of patch `from` belong at region + shift of patch `to`, in the arrays of this centring.
 struct Copy {
-  int slot;
-  int from, to;  ///< local numbers, meaningful where the patch is on this rank
+  Centring centring;
+  int from, to;  ///< local numbers, -1 where the patch is on another rank
   IndexBox region;
   Int3 shift;
 };
@@ -52,41 +50,53 @@ class CopyPlan {
  public:
   explicit CopyPlan(MPI_Comm comm) : comm_(comm) { MPI_Comm_rank(comm_, &rank_); }
 
-  /// Registers a copy; every rank registers the same ones in the same order, or at least those it takes part in.
-  void add(int from_owner, int to_owner, const Copy& copy)
+  /// Registers the copy of what `source`, indices of patch `from`, and `target`, indices of patch `to`, have in common.
+  /// Every rank registers the same copies in the same order, or at least those it takes part in.
+  void add(const Patch& from, const Patch& to, const Int3& shift, Centring centring, const IndexBox& source,
+           const IndexBox& target)
   {
-    if (copy.region.empty() || (from_owner != rank_ && to_owner != rank_)) return;
-    if (from_owner == to_owner) {
+    const Copy copy{centring, from.local, to.local, intersect(source, target.shifted_back(shift)), shift};
+    if (copy.region.empty() || (from.owner != rank_ && to.owner != rank_)) return;
+    if (from.owner == to.owner) {
       on_rank_.push_back(copy);
       return;
     }
-    const bool receiving = to_owner == rank_;
-    Link& link = links_[receiving ? from_owner : to_owner];
+    const bool receiving = to.owner == rank_;
+    Link& link = links_[receiving ? from.owner : to.owner];
     Bundle& bundle = receiving ? link.incoming : link.outgoing;
     bundle.copies.push_back(copy);
     bundle.size += static_cast<std::size_t>(copy.region.volume());
   }
 
-  /// from(patch, slot) and to(patch, slot) give the arrays (Array3<T>).
-  template <class T, class From, class To>
-  void forward(From&& from, To&& to) const
+  /// Registers what fills `wanted`, indices of a patch with the cells of `level`, from all patches of the level, or from
+  /// the first of several that have a value. readable(cells) says which values a patch with these cells can give.
+  template <class Readable>
+  void add_sources(const Level& level, const Patch& to, Centring centring, const IndexBox& wanted,
+                   Readable&& readable)
   {
-    run<T>(
-        &Link::outgoing, &Link::incoming,
-        [&](const Copy& c, int i, int j, int k) { return from(c.from, c.slot).at(i, j, k); },
-        [&](const Copy& c, int i, int j, int k) { return shifted(to(c.to, c.slot), c, i, j, k); },
-        copy_row<T>);
+    std::vector<IndexBox> rest{wanted};
+    for_each_patch_image(level, [&](std::size_t n, const Int3& shift) {
+      const IndexBox source = readable(level.patches[n].box);
+      for (const IndexBox& box : rest) add(level.patches[n], to, shift, centring, source, box);
+      rest = without(rest, source.shifted(shift));
+    });
   }
-  template <class T, class From, class To>
-  void transpose(From&& from, To&& to) const
+
+  /// From a field to another (or to other places of the same one): both CellField<T> or both MacField.
+  template <class Field>
+  void forward(const Field& from, Field& to) const
   {
-    run<T>(
-        &Link::incoming, &Link::outgoing,
-        [&](const Copy& c, int i, int j, int k) { return shifted(to(c.to, c.slot), c, i, j, k); },
-        [&](const Copy& c, int i, int j, int k) { return from(c.from, c.slot).at(i, j, k); },
-        [](T* out, const T* in, std::ptrdiff_t n) {
-          for (std::ptrdiff_t m = 0; m < n; ++m) out[m] += in[m];
-        });
+    run<typename Field::Value>(&Link::outgoing, &Link::incoming, Source{from}, Target{to},
+                               copy_row<typename Field::Value>);
+  }
+  template <class Field>
+  void transpose(Field& from, const Field& to) const
+  {
+    using T = typename Field::Value;
+    run<T>(&Link::incoming, &Link::outgoing, Target{to}, Source{from},
+           [](T* out, const T* in, std::ptrdiff_t n) {
+             for (std::ptrdiff_t m = 0; m < n; ++m) out[m] += in[m];
+           });
   }
 
  private:
@@ -105,40 +115,46 @@ class CopyPlan {
     Bundle outgoing, incoming;
   };
 
-  template <class A>
-  static auto shifted(A&& array, const Copy& c, int i, int j, int k)
-  {
-    return array.at(i + c.shift[0], j + c.shift[1], k + c.shift[2]);
-  }
+  /// Address of index (i, j, k) of a copy in the patch it comes from, and of its image in the one it goes to.
+  template <class Field>
+  struct Source {
+    Field& field;
+    auto operator()(const Copy& c, int i, int j, int k) const
+    {
+      return field(c.from, c.centring).at(i, j, k);
+    }
+  };
+  template <class Field>
+  struct Target {
+    Field& field;
+    auto operator()(const Copy& c, int i, int j, int k) const
+    {
+      return field(c.to, c.centring).at(i + c.shift[0], j + c.shift[1], k + c.shift[2]);
+    }
+  };
 
   /// Takes rows at source(copy, i, j, k) and hands them to put at target(copy, i, j, k).
-  template <class T, class Source, class Target, class Put>
-  void run(Bundle Link::*sends, Bundle Link::*receives, Source&& source, Target&& target, Put&& put) const
+  template <class T, class From, class Into, class Put>
+  void run(Bundle Link::*sends, Bundle Link::*receives, From&& source, Into&& target, Put&& put) const
   {
-    static_assert(std::is_same_v<T, double> || std::is_same_v<T, float>);
-    const MPI_Datatype type = std::is_same_v<T, double> ? MPI_DOUBLE : MPI_FLOAT;
-    std::vector<MPI_Request> requests(2 * links_.size());
-    std::size_t l = 0;
+    Messages messages(comm_, Tag::patches);
     for (const auto& [other, link] : links_) {
       const Bundle &sending = link.*sends, &receiving = link.*receives;
-      MPI_Irecv(receiving.values<T>(), static_cast<int>(receiving.size), type, other, 0, comm_,
-                &requests[2 * l]);
+      messages.receive(other, receiving.values<T>(), receiving.size);
       T* next = sending.values<T>();
       for (const Copy& c : sending.copies)
         for_each_row(c.region, [&](int j, int k) {
           copy_row<T>(next, source(c, c.region.lo[0], j, k), c.region.size(0));
           next += c.region.size(0);
         });
-      MPI_Isend(sending.values<T>(), static_cast<int>(sending.size), type, other, 0, comm_,
-                &requests[2 * l + 1]);
-      ++l;
+      messages.send(other, sending.values<T>(), sending.size);
     }
     for (const Copy& c : on_rank_)
       for_each_row(c.region, [&](int j, int k) {
         const int i = c.region.lo[0];
         put(target(c, i, j, k), source(c, i, j, k), c.region.size(0));
       });
-    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    messages.wait();
     for (const auto& [other, link] : links_) {
       const T* next = (link.*receives).template values<T>();
       for (const Copy& c : (link.*receives).copies)

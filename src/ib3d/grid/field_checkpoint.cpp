@@ -25,20 +25,20 @@ std::vector<IndexBox> boxes_from(const std::vector<int>& corners)
   return boxes;
 }
 
-/// One component: owned[patch] are the disjoint boxes of every patch, `values_of(p)` the array of local patch p.
-template <class ValuesOf>
-void save_or_restore(Checkpoint& c, const std::string& name, const Level& level,
-                     const std::vector<std::vector<IndexBox>>& owned, ValuesOf&& values_of)
+/// The values of one centring of a CellField<double> or MacField, by the disjoint boxes that every patch owns.
+template <class Field>
+void save_or_restore(Checkpoint& c, const std::string& name, const Level& level, Centring centring,
+                     Field& field)
 {
+  const auto values_of = [&](int p) -> Array3<double>& { return field(p, centring); };
   std::vector<IndexBox> boxes, mine;
   std::vector<int> patch_of;  ///< local number, per entry of `mine`
-  const std::vector<int> local = level.local_numbers();
-  for (std::size_t patch = 0; patch < owned.size(); ++patch)
-    for (const IndexBox& b : owned[patch]) {
+  for (const Patch& patch : level.patches)
+    for (const IndexBox& b : owned_boxes(level, patch.box, centring)) {
       boxes.push_back(b);
-      if (local[patch] < 0) continue;
+      if (patch.local < 0) continue;
       mine.push_back(b);
-      patch_of.push_back(local[patch]);
+      patch_of.push_back(patch.local);
     }
   std::vector<int> corners = corners_of(boxes);
   c(name + "_boxes", corners);
@@ -102,19 +102,12 @@ void save_or_restore(Checkpoint& c, const std::string& name, Refinement& boxes)
 
 void save_or_restore(Checkpoint& c, const std::string& name, const Level& level, CellField<double>& field)
 {
-  std::vector<std::vector<IndexBox>> owned;
-  for (const Patch& p : level.patches) owned.push_back({p.box});
-  save_or_restore(c, name, level, owned, [&](int p) -> Array3<double>& { return field[p]; });
+  save_or_restore(c, name, level, Centring::cell, field);
 }
 
 void save_or_restore(Checkpoint& c, const std::string& name, const Level& level, MacField& field)
 {
-  for (int d = 0; d < 3; ++d) {
-    std::vector<std::vector<IndexBox>> owned;
-    for (std::size_t p = 0; p < level.patches.size(); ++p) owned.push_back(owned_faces(level, p, d));
-    save_or_restore(c, name + "_" + "xyz"[d], level, owned,
-                    [&](int p) -> Array3<double>& { return field(p, d); });
-  }
+  for (int d = 0; d < 3; ++d) save_or_restore(c, name + "_" + "xyz"[d], level, face_normal_to(d), field);
 }
 
 }  // namespace valsalva::ib3d

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ib3d/grid/hierarchy.hpp"
+#include "ib3d/grid/overlap.hpp"
 
 namespace valsalva::ib3d {
 
@@ -68,6 +68,7 @@ inline IndexBox stored_box(const IndexBox& cells, int ghosts)
 template <class T>
 class CellField {
  public:
+  using Value = T;
   CellField() = default;
   explicit CellField(const Level& level, int ghosts = 1) : ghosts_(ghosts)
   {
@@ -77,6 +78,8 @@ class CellField {
   int patch_count() const { return static_cast<int>(patch_.size()); }
   Array3<T>& operator[](int p) { return patch_[static_cast<std::size_t>(p)]; }
   const Array3<T>& operator[](int p) const { return patch_[static_cast<std::size_t>(p)]; }
+  Array3<T>& operator()(int p, Centring) { return (*this)[p]; }
+  const Array3<T>& operator()(int p, Centring) const { return (*this)[p]; }
   void set_zero()
   {
     for (Array3<T>& a : patch_) a.set_zero();
@@ -89,6 +92,7 @@ class CellField {
 
 class MacField {
  public:
+  using Value = double;
   MacField() = default;
   explicit MacField(const Level& level, int ghosts = kMacGhosts)
       : component_{CellField<double>(level, ghosts), CellField<double>(level, ghosts),
@@ -100,6 +104,8 @@ class MacField {
   /// Component d on local patch p.
   Array3<double>& operator()(int p, int d) { return component_[static_cast<std::size_t>(d)][p]; }
   const Array3<double>& operator()(int p, int d) const { return component_[static_cast<std::size_t>(d)][p]; }
+  Array3<double>& operator()(int p, Centring face) { return (*this)(p, static_cast<int>(face)); }
+  const Array3<double>& operator()(int p, Centring face) const { return (*this)(p, static_cast<int>(face)); }
   void set_zero()
   {
     for (auto& c : component_) c.set_zero();
@@ -109,36 +115,24 @@ class MacField {
   std::array<CellField<double>, 3> component_;
 };
 
-/// All faces normal to d of the cells of a box, the high ones included.
-inline IndexBox faces_of(const IndexBox& cells, int d)
+/// The values that a patch of the level owns: its cells; or its low faces, and those of its high faces that are no
+/// patch's low faces, at sides of the domain and of the level.
+inline std::vector<IndexBox> owned_boxes(const Level& level, const IndexBox& cells, Centring c)
 {
-  return cells.extended_high(d, 1);
-}
-
-/// The faces normal to d that a patch (number in level.patches) owns: its low faces, and those of its high faces
-/// that are no patch's low faces, at sides of the domain and of the level.
-inline std::vector<IndexBox> owned_faces(const Level& level, std::size_t patch, int d)
-{
-  const auto dd = static_cast<std::size_t>(d);
-  const IndexBox& cells = level.patches[patch].box;
-  IndexBox high = cells;
-  high.lo[dd] = cells.hi[dd];
-  high.hi[dd] = high.lo[dd] + 1;
-  std::vector<IndexBox> rest{high};
-  for_each_image(level, [&](const Int3& shift) {
-    for (const Patch& p : level.patches)
-      if (const IndexBox other = p.box.shifted(shift); other.lo[dd] == high.lo[dd])
-        rest = without(rest, other);
-  });
-  rest.insert(rest.begin(), cells);
-  return rest;
+  std::vector<IndexBox> boxes{cells};
+  if (c == Centring::cell) return boxes;
+  const int d = static_cast<int>(c);
+  for (const IndexBox& high :
+       uncovered({cells.with_range(d, cells.hi[static_cast<std::size_t>(d)], 1)}, level))
+    boxes.push_back(high);
+  return boxes;
 }
 
 /// Calls f(i, j, k) for every face normal to d that local patch p owns.
 template <class F>
 void for_each_owned_face(const Level& level, int p, int d, F&& f)
 {
-  for (const IndexBox& b : owned_faces(level, level.number_of(p), d)) for_each_index(b, f);
+  for (const IndexBox& b : owned_boxes(level, level.local_box(p), face_normal_to(d))) for_each_index(b, f);
 }
 
 /// Calls f(p, d, i, j, k, n) for the first face (i, j, k) and the length of every row of faces of the local patches, high

@@ -11,12 +11,9 @@
 
 namespace valsalva::ib3d {
 
-/// Where the values of one array sit: on the faces normal to x, y, z, or in cells.
-enum class Centring { x_face = 0, y_face = 1, z_face = 2, cell = 3 };
-
 class Halo {
  public:
-  /// For groups of arrays with these centrings, exchanged in one message per neighbour rank.
+  /// For one array of each of these centrings, exchanged in one message per neighbour rank.
   Halo(const Level& level, const std::vector<Centring>& centrings, int ghosts);
 
   static Halo for_cells(const Level& level, int ghosts) { return {level, {Centring::cell}, ghosts}; }
@@ -25,11 +22,13 @@ class Halo {
     return {level, {Centring::x_face, Centring::y_face, Centring::z_face}, ghosts};
   }
 
-  /// Of a halo of the same centering; the field must store at least as many ghosts.
-  template <class T>
-  void fill(CellField<T>& field) const;
-  void fill(MacField& field) const;
-  void accumulate(MacField& field) const;
+  /// Of a halo of the same centring; the field must store at least as many ghosts.
+  template <class Field>
+  void fill(Field& field) const
+  {
+    plan_.forward(field, field);
+  }
+  void accumulate(MacField& field) const { plan_.transpose(field, field); }
 
  private:
   CopyPlan plan_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/error.hpp"
@@ -44,11 +45,11 @@ double finest_spacing(const Domain& domain, double h, int levels)
   return domain.size[0] / (coarsest_cells(domain, h, levels)[0] << (levels - 1));
 }
 
-std::vector<int> Level::local_numbers() const
+const Patch* Level::patch_at(const Int3& cell) const
 {
-  std::vector<int> number(patches.size(), -1);
-  for (int p = 0; p < local_count(); ++p) number[number_of(p)] = p;
-  return number;
+  const auto found =
+      std::find_if(patches.begin(), patches.end(), [&](const Patch& p) { return p.box.contains(cell); });
+  return found == patches.end() ? nullptr : &*found;
 }
 
 long Level::cell_count() const
@@ -58,24 +59,15 @@ long Level::cell_count() const
   return n;
 }
 
-bool Level::at_side(const IndexBox& b, int side) const
+bool Level::at_side(const IndexBox& b, Side side) const
 {
-  const int d = side_direction(side);
-  const auto dd = static_cast<std::size_t>(d);
-  if (domain.periodic(d)) return false;
-  return side_is_high(side) ? b.hi[dd] == box.hi[dd] : b.lo[dd] == box.lo[dd];
+  return !domain.periodic(axis(side)) && b.faces_at(side) == box.faces_at(side);
 }
 
 IndexBox Level::with_outside(const IndexBox& cells, IndexBox values, int reach) const
 {
-  for (int side = 0; side < kSideCount; ++side) {
-    if (!at_side(cells, side)) continue;
-    const auto d = static_cast<std::size_t>(side_direction(side));
-    if (side_is_high(side))
-      values.hi[d] += reach;
-    else
-      values.lo[d] -= reach;
-  }
+  for (const Side side : kSides)
+    if (at_side(cells, side)) values = values.extended(side, reach);
   return values;
 }
 
@@ -128,8 +120,8 @@ Hierarchy::Hierarchy(const Domain& domain, double h, MPI_Comm comm, const Refine
   for (std::size_t l = 0; l < levels_.size(); ++l)
     for (const RecursiveBisection::Piece& piece : cuts.cut(all[l])) {
       const int owner = static_cast<int>(static_cast<long>(piece.region) * ranks / regions);
-      if (owner == rank) levels_[l].local.push_back(static_cast<int>(levels_[l].patches.size()));
-      levels_[l].patches.push_back({piece.box, owner});
+      levels_[l].patches.push_back({piece.box, owner, owner == rank ? levels_[l].local_count() : -1});
+      if (owner == rank) levels_[l].local.push_back(static_cast<int>(levels_[l].patches.size()) - 1);
     }
 }
 
@@ -142,11 +134,7 @@ long Hierarchy::valid_cell_count() const
 
 bool Hierarchy::covered(int l, const Int3& cell) const
 {
-  if (l + 1 >= level_count()) return false;
-  const Int3 fine{2 * cell[0], 2 * cell[1], 2 * cell[2]};
-  for (const Patch& p : level(l + 1).patches)
-    if (p.box.contains(fine)) return true;
-  return false;
+  return l + 1 < level_count() && level(l + 1).patch_at({2 * cell[0], 2 * cell[1], 2 * cell[2]}) != nullptr;
 }
 
 }  // namespace valsalva::ib3d

@@ -22,29 +22,19 @@ inline constexpr int kCoarsestBlockingFactor = 4;
 ///   periodic  joined to the opposite side
 enum class SideKind { wall, open, periodic };
 
-/// Numbering of the six sides: x_lo, x_hi, y_lo, y_hi, z_lo, z_hi.
-inline constexpr int kSideCount = 6;
-/// 0, 1, 2 for x, y, z.
-constexpr int side_direction(int side)
-{
-  return side / 2;
-}
-constexpr bool side_is_high(int side)
-{
-  return side % 2 == 1;
-}
-
 /// The box [0, size] in cm.
 struct Domain {
   Vec3 size{};
-  std::array<SideKind, 6> sides{};
+  std::array<SideKind, 6> sides{};  ///< in the order of Side
+  SideKind kind(Side s) const { return sides[static_cast<std::size_t>(s)]; }
   bool periodic(int d) const { return sides[static_cast<std::size_t>(2 * d)] == SideKind::periodic; }
 };
 
-/// Cells of its level, and the rank that computes them.
+/// Cells of its level, the rank that computes them, and its number among the patches of this rank, -1 on the others.
 struct Patch {
   IndexBox box;
   int owner = 0;
+  int local = -1;
 };
 
 /// One level: all cells have spacing h (cm). `local` lists the patches of this rank; fields are stored in
@@ -61,12 +51,12 @@ struct Level {
   /// Number of local patch p in `patches`.
   std::size_t number_of(int p) const { return static_cast<std::size_t>(local[static_cast<std::size_t>(p)]); }
   const IndexBox& local_box(int p) const { return patches[number_of(p)].box; }
-  /// Local number of every patch, -1 where it is on another rank.
-  std::vector<int> local_numbers() const;
+  /// The patch that holds a cell, or null.
+  const Patch* patch_at(const Int3& cell) const;
   /// Of all patches on all ranks.
   long cell_count() const;
   /// Whether the box touches the side of the domain and the side is not periodic.
-  bool at_side(const IndexBox& b, int side) const;
+  bool at_side(const IndexBox& b, Side side) const;
   /// `values`, indices of a patch with these cells, and `reach` more beyond the sides of the domain that it touches.
   IndexBox with_outside(const IndexBox& cells, IndexBox values, int reach) const;
   /// Whether every patch can be halved in every direction.
@@ -74,18 +64,6 @@ struct Level {
   /// The same boxes in cells twice as large, same owners.
   Level coarsened() const;
 };
-
-/// Calls f(shift) for the images of a level's cells under its periodic sides, the identity included.
-template <class F>
-void for_each_image(const Level& level, F&& f)
-{
-  Int3 reach{};
-  for (int d = 0; d < 3; ++d) reach[static_cast<std::size_t>(d)] = level.domain.periodic(d) ? 1 : 0;
-  for_each_index({{-reach[0], -reach[1], -reach[2]}, {reach[0] + 1, reach[1] + 1, reach[2] + 1}},
-                 [&](int x, int y, int z) {
-                   f(Int3{x * level.box.size(0), y * level.box.size(1), z * level.box.size(2)});
-                 });
-}
 
 /// Boxes of the refined levels, in cells of each: refinement[l - 1] are those of level l.
 using Refinement = std::vector<std::vector<IndexBox>>;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/vec3.hpp"
+#include "ib3d/grid/side.hpp"
 
 namespace valsalva::ib3d {
 
@@ -30,13 +31,26 @@ struct IndexBox {
   {
     return {{lo[0] + s[0], lo[1] + s[1], lo[2] + s[2]}, {hi[0] + s[0], hi[1] + s[1], hi[2] + s[2]}};
   }
-  /// Extended by n at the high end of direction d: the faces normal to d of a box of cells have n = 1.
-  IndexBox extended_high(int d, int n) const
+  /// Extended by n beyond a side.
+  IndexBox extended(Side s, int n) const
   {
     IndexBox b = *this;
-    b.hi[static_cast<std::size_t>(d)] += n;
+    (is_high(s) ? b.hi : b.lo)[static_cast<std::size_t>(axis(s))] -= n * inward(s);
     return b;
   }
+  /// The indices [first, first + n) along direction d instead of the box's own.
+  IndexBox with_range(int d, int first, int n) const
+  {
+    IndexBox b = *this;
+    b.lo[static_cast<std::size_t>(d)] = first;
+    b.hi[static_cast<std::size_t>(d)] = first + n;
+    return b;
+  }
+  IndexBox shifted_back(const Int3& s) const { return shifted({-s[0], -s[1], -s[2]}); }
+  /// Index along the axis of a side: of its faces, of the cells along it inside, and of the next ones outside.
+  int faces_at(Side s) const { return (is_high(s) ? hi : lo)[static_cast<std::size_t>(axis(s))]; }
+  int cells_inside(Side s) const { return faces_at(s) - (is_high(s) ? 1 : 0); }
+  int cells_outside(Side s) const { return faces_at(s) - (is_high(s) ? 0 : 1); }
   /// The box of cells twice as large that cover this one; lo and hi must be even.
   IndexBox coarsened() const
   {

@@ -9,11 +9,8 @@ namespace {
 struct Reflection {
   int edge;
   bool normal, high;
-  Reflection(const Level& level, int side, int component)
-      : edge((side_is_high(side) ? level.box.hi
-                                 : level.box.lo)[static_cast<std::size_t>(side_direction(side))]),
-        normal(component == side_direction(side)),
-        high(side_is_high(side))
+  Reflection(const Level& level, Side side, int component)
+      : edge(level.box.faces_at(side)), normal(component == axis(side)), high(is_high(side))
   {
   }
   double sign() const { return normal ? 1.0 : -1.0; }
@@ -28,7 +25,7 @@ void mirror_rows(const Level& level, const IndexBox& cells, int component, Array
   constexpr int kAhead = 8;  // rows; the hardware does not foresee these strides
   const IndexBox rows = faces_of(cells.grown(ghosts), component);
   for (int k = rows.lo[2]; k < rows.hi[2]; ++k)
-    for (const int side : {0, 1}) {
+    for (const Side side : {Side::x_lo, Side::x_hi}) {
       if (!level.at_side(cells, side)) continue;
       const Reflection at(level, side, component);
       for (int j = rows.lo[1]; j < rows.hi[1]; ++j) {
@@ -41,17 +38,15 @@ void mirror_rows(const Level& level, const IndexBox& cells, int component, Array
 }
 
 /// Beyond a side along y or z.
-void mirror_layers(const Level& level, const IndexBox& cells, int side, int component, Array3<double>& a,
+void mirror_layers(const Level& level, const IndexBox& cells, Side side, int component, Array3<double>& a,
                    int ghosts)
 {
-  const auto d = static_cast<std::size_t>(side_direction(side));
   const Reflection at(level, side, component);
   IndexBox layer = faces_of(cells.grown(ghosts), component);
   const int n = layer.size(0);
   for (int m = 1; m <= ghosts; ++m) {
-    layer.lo[d] = at.edge + at.ghost(m);
-    layer.hi[d] = layer.lo[d] + 1;
-    const std::ptrdiff_t jump = (at.inner(m) - at.ghost(m)) * a.stride(static_cast<int>(d));
+    layer = layer.with_range(axis(side), at.edge + at.ghost(m), 1);
+    const std::ptrdiff_t jump = (at.inner(m) - at.ghost(m)) * a.stride(axis(side));
     for_each_row(layer, [&](int j, int k) {
       double* row = a.at(layer.lo[0], j, k);
       for (int i = 0; i < n; ++i) row[i] = at.sign() * row[i + jump];
@@ -67,7 +62,7 @@ void fill_mirrored(const Level& level, MacField& u, int layers)
     const IndexBox& cells = level.local_box(p);
     for (int c = 0; c < 3; ++c) {
       mirror_rows(level, cells, c, u(p, c), layers);
-      for (int side = 2; side < kSideCount; ++side)
+      for (const Side side : {Side::y_lo, Side::y_hi, Side::z_lo, Side::z_hi})
         if (level.at_side(cells, side)) mirror_layers(level, cells, side, c, u(p, c), layers);
     }
   }

@@ -9,22 +9,15 @@ Regrid::Regrid(const Hierarchy& before, const Hierarchy& after, std::vector<Coar
 {
   for (int l = 0; l < std::min(before.level_count(), after.level_count()); ++l) {
     const Level &from = before.level(l), &to = after.level(l);
-    const std::vector<int> from_local = from.local_numbers(), to_local = to.local_numbers();
-    CopyPlan faces(after.comm()), cells(after.comm());
-    for (std::size_t a = 0; a < from.patches.size(); ++a)
-      for (std::size_t b = 0; b < to.patches.size(); ++b)
-        for_each_image(from, [&](const Int3& shift) {
-          const Int3 back{-shift[0], -shift[1], -shift[2]};
-          const auto add = [&](CopyPlan& plan, int slot, const IndexBox& source, const IndexBox& target) {
-            plan.add(from.patches[a].owner, to.patches[b].owner,
-                     {slot, from_local[a], to_local[b], intersect(source, target.shifted(back)), shift});
-          };
-          for (int d = 0; d < 3; ++d)
-            add(faces, d, faces_of(from.patches[a].box, d), faces_of(to.patches[b].box, d));
-          add(cells, 0, from.patches[a].box, to.patches[b].box);
-        });
-    faces_.push_back(std::move(faces));
-    cells_.push_back(std::move(cells));
+    CopyPlan &faces = faces_.emplace_back(after.comm()), &cells = cells_.emplace_back(after.comm());
+    for_each_overlap(from, to, [&](std::size_t a, std::size_t b, const Int3& shift) {
+      const auto add = [&](CopyPlan& plan, Centring c) {
+        const Patch &there = from.patches[a], &here = to.patches[b];
+        plan.add(there, here, shift, c, indices_of(there.box, c), indices_of(here.box, c));
+      };
+      for (int d = 0; d < 3; ++d) add(faces, face_normal_to(d));
+      add(cells, Centring::cell);
+    });
   }
 }
 
@@ -32,17 +25,12 @@ void Regrid::carry(int l, const CompositeMac& before, CompositeMac& after, bool 
 {
   const auto ll = static_cast<std::size_t>(l);
   if (l > 0) transfers_[ll - 1].interpolate(after[ll - 1], after[ll]);
-  if (ll < faces_.size())
-    faces_[ll].forward<double>([&](int p, int d) -> const Array3<double>& { return before[ll](p, d); },
-                               [&](int p, int d) -> Array3<double>& { return after[ll](p, d); });
+  if (ll < faces_.size()) faces_[ll].forward(before[ll], after[ll]);
   if (l == 0 || !keep_divergence) return;
   const Level& level = after_.level(l);
   for (int p = 0; p < level.local_count(); ++p) {
     std::vector<IndexBox> fresh{level.local_box(p)};
-    if (l < before_.level_count())
-      for_each_image(level, [&](const Int3& shift) {
-        for (const Patch& old : before_.level(l).patches) fresh = without(fresh, old.box.shifted(shift));
-      });
+    if (l < before_.level_count()) fresh = uncovered(fresh, before_.level(l));
     for (const IndexBox& box : fresh)
       even_out_divergence(box.coarsened(), {&after[ll](p, 0), &after[ll](p, 1), &after[ll](p, 2)});
   }
@@ -52,9 +40,7 @@ void Regrid::carry(int l, const CompositeCells<double>& before, CompositeCells<d
 {
   const auto ll = static_cast<std::size_t>(l);
   if (l > 0) transfers_[ll - 1].interpolate(after[ll - 1], after[ll]);
-  if (ll < cells_.size())
-    cells_[ll].forward<double>([&](int p, int) -> const Array3<double>& { return before[ll][p]; },
-                               [&](int p, int) -> Array3<double>& { return after[ll][p]; });
+  if (ll < cells_.size()) cells_[ll].forward(before[ll], after[ll]);
 }
 
 void even_out_divergence(const IndexBox& coarse_cells, const std::array<Array3<double>*, 3>& u)

@@ -10,7 +10,7 @@ namespace valsalva::ib3d {
 
 class Regrid {
  public:
-  /// `transfers` are those of `after`.
+  /// `transfers` are those of `after`; all three must outlive the object.
   Regrid(const Hierarchy& before, const Hierarchy& after, std::vector<CoarseFine>& transfers);
 
   /// Level l, once the levels below are complete with their ghosts. No ghosts are filled. `keep_divergence`: for
@@ -19,7 +19,7 @@ class Regrid {
   void carry(int l, const CompositeCells<double>& before, CompositeCells<double>& after) const;
 
  private:
-  Hierarchy before_, after_;
+  const Hierarchy &before_, &after_;
   std::vector<CoarseFine>& transfers_;
   std::vector<CopyPlan> faces_, cells_;  ///< per level that both have
 };

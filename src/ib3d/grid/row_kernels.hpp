@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace valsalva::ib3d {
 
@@ -56,16 +57,24 @@ inline void jacobi_row(double* __restrict out, const double* __restrict b, const
   for (int i = 0; i < n; ++i) out[i] = scale * (b[i] + a * neighbours(q, i, sy, sz));
 }
 
-/// largest = max of itself and |a - b|, |b|.
+/// The largest of some non-negative numbers, or infinity where their sum says that one is NaN, which a maximum passes over.
+template <class T>
+inline T largest_or_infinity(T largest, T sum)
+{
+  return std::isnan(sum) ? std::numeric_limits<T>::infinity() : largest;
+}
+
+/// largest = max of itself and |a - b|, |b|; infinity for NaN.
 inline void compare_row(const double* a, const double* b, double (&largest)[2], int n)
 {
-  double change = largest[0], value = largest[1];
-#pragma omp simd reduction(max : change, value)
+  double change = largest[0], value = largest[1], sum = 0;
+#pragma omp simd reduction(max : change, value) reduction(+ : sum)
   for (int i = 0; i < n; ++i) {
     change = std::max(change, std::abs(a[i] - b[i]));
     value = std::max(value, std::abs(b[i]));
+    sum += std::abs(a[i] - b[i]);
   }
-  largest[0] = change;
+  largest[0] = largest_or_infinity(change, sum);
   largest[1] = value;
 }
 
@@ -75,14 +84,11 @@ inline void add_row(double* __restrict out, const double* __restrict x, double a
   for (int i = 0; i < n; ++i) out[i] += a * x[i];
 }
 
-/// p, before <- p + ratio (p - before), p.
-inline void extrapolate_row(double* __restrict p, double* __restrict before, double ratio, std::size_t n)
+/// guess = p + ratio (p - before).
+inline void extrapolate_row(double* __restrict guess, const double* __restrict p,
+                            const double* __restrict before, double ratio, std::size_t n)
 {
-  for (std::size_t i = 0; i < n; ++i) {
-    const double guess = p[i] + ratio * (p[i] - before[i]);
-    before[i] = p[i];
-    p[i] = guess;
-  }
+  for (std::size_t i = 0; i < n; ++i) guess[i] = p[i] + ratio * (p[i] - before[i]);
 }
 
 /// r = neighbours - 6 c - source (x[i+1] - x[i] + y[i+fy] - y[i] + z[i+fz] - z[i]), for faces with strides fy, fz.
@@ -168,13 +174,16 @@ inline double update_row(double* __restrict x, float* __restrict r, const float*
   return square;
 }
 
-/// max |r|.
+/// max |r|; infinity for NaN.
 inline float largest_in_row(const float* r, int n)
 {
-  float m = 0;
-#pragma omp simd reduction(max : m)
-  for (int i = 0; i < n; ++i) m = std::max(m, std::abs(r[i]));
-  return m;
+  float largest = 0, sum = 0;
+#pragma omp simd reduction(max : largest) reduction(+ : sum)
+  for (int i = 0; i < n; ++i) {
+    largest = std::max(largest, std::abs(r[i]));
+    sum += std::abs(r[i]);
+  }
+  return largest_or_infinity(largest, sum);
 }
 
 }  // namespace valsalva::ib3d

@@ -27,35 +27,22 @@ bool inside(const Domain& domain, const Vec3& X)
   return in;  // false for what is not a number
 }
 
-/// The finest boxes under points of the domain.
-class Homes {
- public:
-  explicit Homes(const Hierarchy& grid) : grid_(grid)
-  {
-    for (const Level& level : grid.levels()) local_number_.push_back(level.local_numbers());
-  }
-  /// Whether the marker belongs to this rank; then it learns its level and patch.
-  bool take_in(Marker& m) const
-  {
-    if (!inside(grid_.domain(), m.X)) return false;
-    for (m.level = grid_.level_count() - 1; m.level >= 0; --m.level) {
-      const Level& at = grid_.level(m.level);
-      Int3 cell{};
-      for (std::size_t d = 0; d < 3; ++d)
-        cell[d] = std::min(static_cast<int>(m.X[static_cast<int>(d)] / at.h), at.box.hi[d] - 1);
-      for (std::size_t n = 0; n < at.patches.size(); ++n)
-        if (at.patches[n].box.contains(cell)) {
-          m.patch = local_number_[static_cast<std::size_t>(m.level)][n];
-          return m.patch >= 0;
-        }
+/// Whether the finest box under the marker belongs to this rank; then the marker learns its level and patch.
+bool take_in(const Hierarchy& grid, Marker& m)
+{
+  if (!inside(grid.domain(), m.X)) return false;
+  for (m.level = grid.level_count() - 1; m.level >= 0; --m.level) {
+    const Level& at = grid.level(m.level);
+    Int3 cell{};
+    for (std::size_t d = 0; d < 3; ++d)
+      cell[d] = std::min(static_cast<int>(m.X[static_cast<int>(d)] / at.h), at.box.hi[d] - 1);
+    if (const Patch* patch = at.patch_at(cell)) {
+      m.patch = patch->local;
+      return m.patch >= 0;
     }
-    return false;
   }
-
- private:
-  const Hierarchy& grid_;
-  std::vector<std::vector<int>> local_number_;  ///< per level and patch, -1 on other ranks
-};
+  return false;
+}
 
 }  // namespace
 
@@ -79,10 +66,9 @@ void Markers::seed_due(const Hierarchy& grid, const CompositeMac& u, double t)
     // a step that is longer than the interval passes over the times in it
     const double passed = seed.every_s > 0 ? std::floor((t + kSameTime_s - seed.start_s) / seed.every_s) : 0;
     seedings_[g] = static_cast<int>(passed) + 1;
-    const Homes homes(grid);
     for (const Vec3& X : seed.points) {
       Marker marker{X, {}, t, next_id_++, static_cast<int>(g), 0, 0};
-      if (homes.take_in(marker)) markers_.push_back(marker);
+      if (take_in(grid, marker)) markers_.push_back(marker);
     }
   }
   if (next_id_ == out_before) return;
@@ -121,16 +107,14 @@ void Markers::settle(const Hierarchy& grid)
 {
   if (!wanted()) return;
   const Communicator comm(grid.comm());
-  const Homes homes(grid);
-
   std::vector<Marker> staying, leaving;
   for (Marker& m : markers_) {
     wrap(grid.domain(), m.X);
-    (homes.take_in(m) ? staying : leaving).push_back(m);
+    (take_in(grid, m) ? staying : leaving).push_back(m);
   }
   for (Marker& m : common::gather_lists(leaving.data(), static_cast<int>(leaving.size()), comm.raw())) {
     if (!inside(grid.domain(), m.X)) ++lost_;
-    if (homes.take_in(m)) staying.push_back(m);
+    if (take_in(grid, m)) staying.push_back(m);
   }
   markers_ = std::move(staying);
   sort_by_patch(grid);

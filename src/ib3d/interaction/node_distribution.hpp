@@ -1,6 +1,5 @@
 // Which rank computes which node: the owner of the finest box under it. Each rank keeps its own nodes, sorted
-// by patch and cell, and copies of the neighbours that its springs and beams need. The topology
-// (FibreNetwork) is replicated.
+// by patch and cell, and copies of those that its elements join to them. The whole model is on every rank.
 #pragma once
 
 #include <string>
@@ -8,21 +7,27 @@
 
 #include "common/checkpoint.hpp"
 #include "ib3d/grid/hierarchy.hpp"
-#include "ib3d/structure/fibres/fibre_network.hpp"
+#include "ib3d/structure/elastic_model.hpp"
 
 namespace valsalva::ib3d {
 
 class NodeDistribution {
  public:
-  /// Distributes the nodes of `whole` from its start positions. Collective.
-  NodeDistribution(FibreNetwork whole, const Level& level);
+  /// Distributes the nodes of `whole` from its start positions over the patches of a level, which must outlive the object
+  /// or be followed by another (`move_to`). Collective.
+  NodeDistribution(std::unique_ptr<const ElasticModel> whole, const Level& level);
 
-  const FibreNetwork& whole() const { return whole_; }
-  const FibrePart& part() const { return part_; }
+  const ElasticModel& whole() const { return *whole_; }
+  /// What acts on this rank's nodes. Forces on copies are incomplete.
+  const ElasticModel& part() const { return *part_; }
+  /// Numbers in the whole of the local nodes: this rank's own, then the copies.
+  const std::vector<int>& global() const { return global_; }
+  /// Where the local nodes were when they were distributed, cm.
+  const std::vector<Vec3>& X() const { return X_; }
   /// Nodes of local patch p are [first()[p], first()[p+1]); first().back() is the number of owned nodes.
   const std::vector<int>& first() const { return first_; }
   /// Number of nodes of this rank; they come first.
-  int owned() const { return part_.owned; }
+  int owned() const { return first_.back(); }
 
   /// Copies values of owned nodes to the ranks that hold copies; `values` has one entry per local node.
   /// Collective.
@@ -35,9 +40,9 @@ class NodeDistribution {
   /// How far (cells, along any direction) the farthest node of this rank lies outside its patch, negative where all lie
   /// inside; infinite for one that is not a number. More than kNodeDrift: time to redistribute. Local.
   double farthest_out(const std::vector<Vec3>& X) const;
-  /// Assigns every node to its patch anew and returns the new local positions, copies included. Collective.
-  /// Throws SolverError when a node has left the domain by more than the drift.
-  std::vector<Vec3> redistribute(const std::vector<Vec3>& X);
+  /// Assigns every node to its patch anew; the new local positions are X(). Collective. Throws SolverError when a node has
+  /// left the domain by more than the drift.
+  void redistribute(const std::vector<Vec3>& X) { distribute(gather(X)); }
   /// Distributes the nodes, at X (all of them, in global order), over the patches of another level. Collective.
   void move_to(const Level& level, const std::vector<Vec3>& X);
 
@@ -51,9 +56,10 @@ class NodeDistribution {
   void distribute(const std::vector<Vec3>& X_global);
   void plan_copies(const std::vector<int>& owner);
 
-  FibreNetwork whole_;
-  Level level_;
-  FibrePart part_;
+  std::unique_ptr<const ElasticModel> whole_, part_;
+  const Level* level_;
+  std::vector<int> global_;
+  std::vector<Vec3> X_;
   std::vector<int> first_;
   std::vector<int> local_number_;  ///< of every node: its number here if it is owned, else -1
   struct Link {

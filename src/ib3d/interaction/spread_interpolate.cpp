@@ -204,17 +204,17 @@ inline void for_each_support(int first, int last, std::span<const Vec3> X, doubl
 void Interaction::spread(std::span<const int> first, std::span<const Vec3> X, std::span<const Vec3> F,
                          MacField& f) const
 {
-  const double inverse_h = 1 / level_.h, inverse_volume = inverse_h * inverse_h * inverse_h;
-  const Inside inside(level_);
+  const double inverse_h = 1 / level_->h, inverse_volume = inverse_h * inverse_h * inverse_h;
+  const Inside inside(*level_);
   f.set_zero();
-  for (int p = 0; p < level_.local_count(); ++p) {
+  for (int p = 0; p < level_->local_count(); ++p) {
     const IndexBox stored = f(p, 0).stored();
     const std::ptrdiff_t sy = f(p, 0).stride(1), sz = f(p, 0).stride(2);
     double* const origin[3] = {f(p, 0).data().data(), f(p, 1).data().data(), f(p, 2).data().data()};
     const auto q = static_cast<std::size_t>(p);
     for_each_support(first[q], first[q + 1], X, inverse_h, [&](std::size_t node, const Support& s) {
       if (!inside.holds(X[node])) {
-        spread_mirrored(s, level_, inverse_volume * F[node], f, p);
+        spread_mirrored(s, *level_, inverse_volume * F[node], f, p);
         return;
       }
       for (int c = 0; c < 3; ++c)

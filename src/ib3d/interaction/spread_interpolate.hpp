@@ -24,8 +24,8 @@ void interpolate(const Level& level, std::span<const int> first, std::span<const
 
 class Interaction {
  public:
-  /// On the finest level.
-  explicit Interaction(const Level& level) : level_(level), faces_(Halo::for_faces(level, kNodeGhosts)) {}
+  /// On the finest level, which must outlive the object.
+  explicit Interaction(const Level& level) : level_(&level), faces_(Halo::for_faces(level, kNodeGhosts)) {}
 
   /// f = S[X] F on the owned faces; f is overwritten, ghosts included. Forces on wall faces are lost to the
   /// wall. Collective.
@@ -35,13 +35,13 @@ class Interaction {
   void interpolate(std::span<const int> first, std::span<const Vec3> X, const MacField& u,
                    std::span<Vec3> U) const
   {
-    ib3d::interpolate(level_, first, X, u, U);
+    ib3d::interpolate(*level_, first, X, u, U);
   }
   /// Fills the ghosts of a velocity that `interpolate` reads: those between patches. Collective.
   void fill_ghosts(MacField& u) const { faces_.fill(u); }
 
  private:
-  Level level_;
+  const Level* level_;
   Halo faces_;
 };
 

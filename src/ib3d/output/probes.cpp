@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "common/max_or_nan.hpp"
+
 namespace valsalva::ib3d {
 
 namespace {
@@ -40,8 +42,7 @@ struct Around {
           cell[c][d] = b[d].lower + (upper ? 1 : 0);
           weight[c] *= upper ? b[d].upper_weight : 1 - b[d].upper_weight;
         }
-        inside = inside && std::any_of(at.patches.begin(), at.patches.end(),
-                                       [&](const Patch& p) { return p.box.contains(cell[c]); });
+        inside = inside && at.patch_at(cell[c]) != nullptr;
       }
       if (inside) return;
     }
@@ -95,7 +96,7 @@ double orifice_area(const std::vector<Vec3>& edges)
     const Vec3 &a = edges[n], &b = edges[(n + 1) % edges.size()];
     twice += a[0] * b[1] - b[0] * a[1];
   }
-  return std::max(0.0, 0.5 * twice);
+  return max_or_nan(0.0, 0.5 * twice);
 }
 
 }  // namespace valsalva::ib3d

@@ -18,7 +18,7 @@ std::vector<double> pressure_at(const Hierarchy& grid, const CompositeCells<doub
 double flow_through_disc(const Hierarchy& grid, const CompositeMac& u, double x, double y, double z,
                          double r);
 
-/// Area (cm^2) inside the closed curve of the leaflets' free edges, seen along z; 0 when they overlap.
+/// Area (cm^2) inside the closed curve of the leaflets' free edges, seen along z; 0 when they overlap, NaN if a position is.
 /// `edges` are the nodes' positions, leaflet after leaflet, each from commissure to commissure.
 double orifice_area(const std::vector<Vec3>& edges);
 

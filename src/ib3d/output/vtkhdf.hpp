@@ -1,6 +1,6 @@
 // Output that ParaView opens by itself: VTKHDF files (version 1.0), one per output time, shared by all ranks.
 //   OverlappingAMR    the fields on all levels; a level's blocks stand one after the other, x fastest
-//   UnstructuredGrid  the structure: springs as lines, points without one as vertices; a piece per rank
+//   UnstructuredGrid  the structure: elements as lines or triangles, points without one as vertices; a piece per rank
 //                     markers as vertices, a piece per rank
 //   ImageData         the fields at the cell centres of one uniform grid, for tools without refinement
 // Arrays are float32, their names carry the units: velocity_cm_s, pressure_mmHg, strain, force_dyn, age_s;
@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "common/vec3.hpp"
+#include "ib3d/structure/elastic_model.hpp"
 
 namespace valsalva::ib3d {
 
@@ -38,13 +38,13 @@ struct AmrLevel {
   std::vector<AmrBlock> local;  ///< this rank's; each box is on one rank
 };
 
-/// The structure as this rank sees it; numbers in `lines` count this rank's points.
-struct FibrePicture {
-  std::vector<Vec3> points;               ///< cm
-  std::vector<int> group;                 ///< per point
-  std::vector<std::array<int, 2>> lines;  ///< the springs
-  std::vector<float> strain;              ///< per line, l/l0 - 1
-  std::vector<Vec3> force;                ///< per point, dyn; empty on every rank: not written
+/// The structure as this rank sees it; numbers in `elements` count this rank's points.
+struct StructurePicture {
+  std::vector<Vec3> points;   ///< cm
+  std::vector<int> group;     ///< per point
+  Elements elements;          ///< of two or three points
+  std::vector<float> strain;  ///< per element
+  std::vector<Vec3> force;    ///< per point, dyn; empty on every rank: not written
 };
 
 /// The passive markers as this rank sees them.
@@ -64,8 +64,8 @@ void write_image_data(const std::string& path, double time_s, const Vec3& origin
                       const std::vector<AmrLevel>& levels, int at, MPI_Comm comm);
 
 /// `group_names[g]` is the name of group g.
-void write_fibres(const std::string& path, double time_s, const FibrePicture& fibres,
-                  const std::vector<std::string>& group_names, MPI_Comm comm);
+void write_structure(const std::string& path, double time_s, const StructurePicture& structure,
+                     const std::vector<std::string>& group_names, MPI_Comm comm);
 void write_markers(const std::string& path, double time_s, const MarkerPicture& markers,
                    const std::vector<std::string>& group_names, MPI_Comm comm);
 

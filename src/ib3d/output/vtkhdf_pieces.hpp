@@ -12,7 +12,7 @@
 
 namespace valsalva::ib3d {
 
-inline constexpr std::uint8_t kVertex = 1, kLine = 3;  // VTK's cell types
+inline constexpr std::uint8_t kVertex = 1, kLine = 3, kTriangle = 5;  // VTK's cell types
 
 /// The cells of one rank in VTK's terms: cell c joins connectivity[offsets[c]] ... [offsets[c + 1] - 1].
 struct VtkCells {

@@ -21,7 +21,7 @@ Hierarchy grid_of(int levels)
 
 std::vector<Opening> openings()
 {
-  return {{"inlet", 4, {5, 5, 0}, 1.1, "lv"}, {"outlet", 5, {5, 5, 0}, 1.2, "ao"}};
+  return {{"inlet", Side::z_lo, {5, 5, 0}, 1.1, "lv"}, {"outlet", Side::z_hi, {5, 5, 0}, 1.2, "ao"}};
 }
 
 /// Of order 1 and not smooth, so that limiters have work.

@@ -81,8 +81,8 @@ std::vector<double> solve_assembled(const std::vector<std::vector<std::pair<int,
 TEST(PressureSolver, CompositeSolutionIsThatOfBoomerAmgOnTheAssembledMatrix)
 {
   const Hierarchy grid = nested_grid(walled_box({1, 1, 1}), 1.0 / 16, 2, true);
-  const std::vector<Opening> discs{{"inlet", 4, {0.5, 0.5, 0}, 0.2, "lv"},
-                                   {"outlet", 5, {0.5, 0.5, 0}, 0.15, "ao"}};
+  const std::vector<Opening> discs{{"inlet", Side::z_lo, {0.5, 0.5, 0}, 0.2, "lv"},
+                                   {"outlet", Side::z_hi, {0.5, 0.5, 0}, 0.15, "ao"}};
   std::vector<CoarseFine> transfers = transfers_between_levels(grid);
   PressureSolver solver(grid, discs, {"multilevel", 1e-3, 100}, transfers);
   CompositePressure& problem = solver.problem();

@@ -19,15 +19,24 @@ inline double vortex_velocity(int c, const Vec3& x, double centre)
 
 /// Fluid of hardly any viscosity that holds nothing but the vortex.
 struct CarriedVortex {
-  CarriedVortex(const Hierarchy& grid, double centre, Advection advection)
-      : fluid(std::make_unique<NavierStokes>(grid, std::vector<Opening>{},
+  CarriedVortex(const Hierarchy& start, double centre, Advection advection)
+      : grid(std::make_unique<Hierarchy>(start)),
+        fluid(std::make_unique<NavierStokes>(*grid, std::vector<Opening>{},
                                              FluidParameters{1.0, 1e-4, advection},
                                              PressureOptions{"multilevel", 1e-7, 100}))
   {
-    CompositeMac u = composite_faces(grid);
+    CompositeMac u = composite_faces(*grid);
     for (std::size_t l = 0; l < u.size(); ++l)
-      fill_faces(grid.levels()[l], u[l], [&](int c, const Vec3& x) { return vortex_velocity(c, x, centre); });
+      fill_faces(grid->levels()[l], u[l],
+                 [&](int c, const Vec3& x) { return vortex_velocity(c, x, centre); });
     fluid->set_velocity(u);
+  }
+
+  void move_to(const Hierarchy& next)
+  {
+    auto there = std::make_unique<Hierarchy>(next);
+    fluid = std::make_unique<NavierStokes>(*there, *fluid);
+    grid = std::move(there);
   }
 
   void step(double dt) const
@@ -37,6 +46,7 @@ struct CarriedVortex {
     fluid->finish_step({});
   }
 
+  std::unique_ptr<Hierarchy> grid;
   std::unique_ptr<NavierStokes> fluid;
 };
 

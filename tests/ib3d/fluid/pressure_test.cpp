@@ -14,7 +14,7 @@ namespace {
 /// Discs well inside the refined boxes of nested_grid.
 std::vector<Opening> two_discs()
 {
-  return {{"inlet", 4, {1, 1, 0}, 0.4, "lv"}, {"outlet", 5, {1, 1, 0}, 0.3, "ao"}};
+  return {{"inlet", Side::z_lo, {1, 1, 0}, 0.4, "lv"}, {"outlet", Side::z_hi, {1, 1, 0}, 0.3, "ao"}};
 }
 
 Hierarchy test_grid(int levels, int boxes = 0)

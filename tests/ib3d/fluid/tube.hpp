@@ -10,7 +10,8 @@ namespace valsalva::ib3d {
 inline std::vector<Opening> both_ends(const Vec3& size)
 {
   const Vec3 centre{0.5 * size[0], 0.5 * size[1], 0};
-  return {{"inlet", 4, centre, 10 * size[0], "lv"}, {"outlet", 5, centre, 10 * size[0], "ao"}};
+  return {{"inlet", Side::z_lo, centre, 10 * size[0], "lv"},
+          {"outlet", Side::z_hi, centre, 10 * size[0], "ao"}};
 }
 
 inline Domain walled_box(const Vec3& size)

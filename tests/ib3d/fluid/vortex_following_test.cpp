@@ -34,7 +34,7 @@ TEST(Vorticity, AVortexThatTheFlowCarriesStaysOnTheFineLevel)
   const auto follow = [&] {
     const NavierStokes& now = *vortex.fluid;
     Refinement boxes = refine(domain, h, policy, {}, vortical_blocks(now.grid(), now.u(), kThreshold));
-    vortex.fluid = std::make_unique<NavierStokes>(Hierarchy(domain, h, MPI_COMM_SELF, boxes), now);
+    vortex.move_to(Hierarchy(domain, h, MPI_COMM_SELF, boxes));
     return boxes;
   };
   follow();

@@ -53,8 +53,8 @@ TEST(Hierarchy, PeriodicSidesAreNoBoundary)
   domain.sides[2] = domain.sides[3] = SideKind::periodic;
   const Hierarchy grid(domain, 2.0 / 16, MPI_COMM_SELF);
   const Level& level = grid.finest();
-  for (int side = 0; side < kSideCount; ++side)
-    EXPECT_EQ(level.at_side(level.local_box(0), side), side_direction(side) != 1) << side;
+  for (const Side side : kSides)
+    EXPECT_EQ(level.at_side(level.local_box(0), side), axis(side) != 1) << static_cast<int>(side);
 }
 
 }  // namespace

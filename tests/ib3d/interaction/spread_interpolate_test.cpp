@@ -9,6 +9,7 @@
 #include "ib3d/interaction/delta.hpp"
 #include "ib3d/interaction/node_distribution.hpp"
 #include "ib3d/interaction/spread_interpolate.hpp"
+#include "ib3d/structure/fibres/fibre_model.hpp"
 
 namespace valsalva::ib3d {
 namespace {
@@ -32,9 +33,12 @@ struct Cloud {
 /// The nodes of one rank, their forces, and everything needed to exchange with the grid.
 struct Exchange {
   Exchange(const Level& level, const Cloud& cloud)
-      : owner({cloud.X, {}, {}, {}, {}, {}}, level), interaction(level), X(owner.part().network.X), f(level)
+      : owner(std::make_unique<FibreModel>(FibreNetwork{cloud.X, {}, {}, {}, {}, {}}), level),
+        interaction(level),
+        X(owner.X()),
+        f(level)
   {
-    for (int n : owner.part().global) F.push_back(cloud.F[static_cast<std::size_t>(n)]);
+    for (int n : owner.global()) F.push_back(cloud.F[static_cast<std::size_t>(n)]);
     interaction.spread(owner.first(), X, F, f);
   }
   NodeDistribution owner;

@@ -144,16 +144,16 @@ TEST(ImageData, CoarseCellsAreRepeatedWhereNothingIsFiner)
 }
 
 /// Rank r holds r + 2 points in a row, joined by lines, and one point alone.
-FibrePicture row_of_points()
+StructurePicture row_of_points()
 {
-  FibrePicture fibres;
+  StructurePicture fibres;
   const int n = mpi_rank() + 2;
   for (int i = 0; i <= n; ++i) {
     fibres.points.push_back({0.5 * i, 1.0 * mpi_rank(), i == n ? 9.0 : 0.0});
     fibres.group.push_back(i == n ? 0 : 1 + mpi_rank());
   }
   for (int i = 0; i + 1 < n; ++i) {
-    fibres.lines.push_back({i, i + 1});
+    fibres.elements.add(std::array{i, i + 1});
     fibres.strain.push_back(0.125F * static_cast<float>(i + 1));
   }
   return fibres;
@@ -162,7 +162,7 @@ FibrePicture row_of_points()
 TEST(Fibres, LinesAndLonePointsOfEveryRankReadBack)
 {
   const std::string path = shared_file("fibres.hdf");
-  write_fibres(path, 0.5, row_of_points(), {"wall", "leaflet 1", "leaflet 2"}, MPI_COMM_WORLD);
+  write_structure(path, 0.5, row_of_points(), {"wall", "leaflet 1", "leaflet 2"}, MPI_COMM_WORLD);
   const Hdf5File file = Hdf5File::open(path, MPI_COMM_WORLD);
   EXPECT_EQ(file.read_text("/", "group_names"), "wall\nleaflet 1\nleaflet 2");
   EXPECT_EQ(file.read_doubles("/", "time_s"), std::vector<double>{0.5});
@@ -202,9 +202,9 @@ TEST(Fibres, LinesAndLonePointsOfEveryRankReadBack)
 
 TEST(Fibres, LineToAPointThatIsNotThereIsRefusedOnEveryRank)
 {
-  FibrePicture fibres = row_of_points();
-  if (mpi_rank() == 0) fibres.lines[0] = {0, 99};
-  EXPECT_THROW(write_fibres(shared_file("bad.hdf"), 0.0, fibres, {}, MPI_COMM_WORLD), IoError);
+  StructurePicture fibres = row_of_points();
+  if (mpi_rank() == 0) fibres.elements.nodes[1] = 99;
+  EXPECT_THROW(write_structure(shared_file("bad.hdf"), 0.0, fibres, {}, MPI_COMM_WORLD), IoError);
 }
 
 }  // namespace

@@ -51,8 +51,8 @@ TEST_F(FibreFiles, RoundTripKeepsTheForces)
   EXPECT_EQ(again.beams.l1, network.beams.l1);
   const std::vector<Vec3> X = random_vectors(15, 32);
   std::vector<Vec3> F(X.size()), F_again(X.size());
-  fibre_force(network, X, F);
-  fibre_force(again, X, F_again);
+  add_fibre_force(network, X, F);
+  add_fibre_force(again, X, F_again);
   for (std::size_t i = 0; i < X.size(); ++i) EXPECT_LT(norm(F[i] - F_again[i]), 1e-12 * norm(F[i]));
 }
 
@@ -62,7 +62,7 @@ TEST_F(FibreFiles, SpringPullsWithStiffnessTimesLengthening)
   write(".spring", "2\n0 1 5.0 2.0\n\n0 1 7.0 0.0\n");
   const FibreNetwork network = read_fibre_files(prefix_);
   std::vector<Vec3> F(2);
-  fibre_force(network, network.X, F);
+  add_fibre_force(network, network.X, F);
   EXPECT_NEAR(F[0][0], 5.0 * (3.0 - 2.0) + 7.0 * 3.0, 1e-7);
 }
 
@@ -72,7 +72,7 @@ TEST_F(FibreFiles, BeamForceIsTheSecondDifferenceOnAnySpacing)
   write(".beam", "1\n0 1 2 2.5\n");
   const FibreNetwork network = read_fibre_files(prefix_);
   std::vector<Vec3> F(3);
-  fibre_force(network, network.X, F);
+  add_fibre_force(network, network.X, F);
   const Vec3 second = network.X[2] - 2.0 * network.X[1] + network.X[0];
   EXPECT_LT(norm(F[1] - 5.0 * second), 1e-12);
   EXPECT_LT(norm(F[0] + 2.5 * second), 1e-12);
@@ -87,7 +87,7 @@ TEST_F(FibreFiles, TargetHoldsTheNodeAtItsStart)
   EXPECT_EQ(network.tethers.target[0], (Vec3{1.0, 2.0, 3.0}));
   std::vector<Vec3> X = network.X, F(2);
   X[1][2] = 3.5;
-  fibre_force(network, X, F);
+  add_fibre_force(network, X, F);
   EXPECT_DOUBLE_EQ(F[1][2], -2.0);
 }
 

@@ -21,7 +21,7 @@ TEST(FibreForce, IsTheNegativeGradientOfTheEnergy)
 {
   const FibreNetwork network = random_network(12, 3);
   std::vector<Vec3> X = network.X, F(X.size());
-  fibre_force(network, X, F);
+  add_fibre_force(network, X, F);
   const double step = 1e-5, scale = largest(F);
   for (std::size_t i = 0; i < X.size(); ++i) {
     for (int d = 0; d < 3; ++d) {
@@ -37,14 +37,14 @@ TEST(FibreForce, IsTheNegativeGradientOfTheEnergy)
   }
 }
 
-TEST(FibreForce, OverwritesWhatWasThere)
+TEST(FibreForce, IsAddedToWhatIsThere)
 {
   const FibreNetwork network = random_network(6, 5);
-  std::vector<Vec3> clean(network.X.size(), Vec3{0.0, 0.0, 0.0}),
-      dirty(network.X.size(), Vec3{1.0, 2.0, 3.0});
-  fibre_force(network, network.X, clean);
-  fibre_force(network, network.X, dirty);
-  EXPECT_EQ(clean, dirty);
+  const Vec3 other{1.0, 2.0, 3.0};
+  std::vector<Vec3> alone(network.X.size(), Vec3{0.0, 0.0, 0.0}), added(network.X.size(), other);
+  add_fibre_force(network, network.X, alone);
+  add_fibre_force(network, network.X, added);
+  for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_LT(norm(added[i] - alone[i] - other), 1e-13);
 }
 
 TEST(FibreForce, TangentMatchesFiniteDifferencesOfTheForce)
@@ -52,14 +52,14 @@ TEST(FibreForce, TangentMatchesFiniteDifferencesOfTheForce)
   const FibreNetwork network = random_network(12, 7);
   const std::vector<Vec3> v = random_vectors(12, 99);
   std::vector<Vec3> Kv(v.size()), ahead = network.X, behind = network.X, Fa(v.size()), Fb(v.size());
-  fibre_stiffness_times(network, network.X, v, Kv);
+  add_fibre_stiffness_times(network, network.X, v, Kv);
   const double step = 1e-5;
   for (std::size_t i = 0; i < v.size(); ++i) {
     ahead[i] += step * v[i];
     behind[i] -= step * v[i];
   }
-  fibre_force(network, ahead, Fa);
-  fibre_force(network, behind, Fb);
+  add_fibre_force(network, ahead, Fa);
+  add_fibre_force(network, behind, Fb);
   for (std::size_t i = 0; i < v.size(); ++i)
     EXPECT_LT(norm(Kv[i] + (0.5 / step) * (Fa[i] - Fb[i])), 1e-6 * largest(Kv)) << "node " << i;
 }
@@ -69,8 +69,8 @@ TEST(FibreForce, TangentIsSymmetric)
   const FibreNetwork network = random_network(12, 11);
   const std::vector<Vec3> u = random_vectors(12, 1), v = random_vectors(12, 2);
   std::vector<Vec3> Ku(u.size()), Kv(v.size());
-  fibre_stiffness_times(network, network.X, u, Ku);
-  fibre_stiffness_times(network, network.X, v, Kv);
+  add_fibre_stiffness_times(network, network.X, u, Ku);
+  add_fibre_stiffness_times(network, network.X, v, Kv);
   double uKv = 0.0, vKu = 0.0;
   for (std::size_t i = 0; i < u.size(); ++i) {
     uKv += dot(u[i], Kv[i]);
@@ -84,7 +84,7 @@ TEST(FibreForce, SpringsAndBeamsExertNoTotalForceOrTorque)
   FibreNetwork network = random_network(40, 13);
   network.tethers = Tethers{};
   std::vector<Vec3> F(network.X.size());
-  fibre_force(network, network.X, F);
+  add_fibre_force(network, network.X, F);
   expect_no_resultant(network.X, F);
 }
 
@@ -105,8 +105,8 @@ TEST(FibreForce, TensionOnlySpringDoesNotPush)
 {
   const FibreNetwork network = single_spring(true);
   std::vector<Vec3> F(2), Kv(2), v = random_vectors(2, 4);
-  fibre_force(network, network.X, F);
-  fibre_stiffness_times(network, network.X, v, Kv);
+  add_fibre_force(network, network.X, F);
+  add_fibre_stiffness_times(network, network.X, v, Kv);
   EXPECT_EQ(norm(F[0]), 0.0);
   EXPECT_EQ(norm(Kv[0]), 0.0);
   EXPECT_EQ(fibre_energy(network, network.X), 0.0);
@@ -116,7 +116,7 @@ TEST(FibreForce, TwoSidedSpringPushesWithStiffnessTimesStrain)
 {
   const FibreNetwork network = single_spring(false);
   std::vector<Vec3> F(2);
-  fibre_force(network, network.X, F);
+  add_fibre_force(network, network.X, F);
   EXPECT_DOUBLE_EQ(F[1][0], 5.0);
   EXPECT_DOUBLE_EQ(F[0][0], -5.0);
 }
@@ -142,7 +142,7 @@ TEST(FibreForce, StraightUnevenBeamHasNoEnergyAndNoForce)
 {
   const FibreNetwork network = uneven_fibre([](double t) { return Vec3{t, 2.0 * t, -t}; }, 20, 1.0);
   std::vector<Vec3> F(network.X.size());
-  fibre_force(network, network.X, F);
+  add_fibre_force(network, network.X, F);
   EXPECT_LT(fibre_energy(network, network.X), 1e-24);
   EXPECT_LT(largest(F), 1e-9);
 }
@@ -178,7 +178,20 @@ TEST(FibreStrain, FindsTheLargestTetherDisplacementOfAGroup)
   network.tethers.stiffness = {1.0, 1.0};
   network.tethers.target = {{0.0, 3.0, 4.0}, {1.0, 0.5, 0.0}};
   EXPECT_DOUBLE_EQ(largest_tether_displacement(network, network.X), 5.0);
-  EXPECT_DOUBLE_EQ(largest_tether_displacement(network, network.X, NodeGroup{"second", 1, 2}), 0.5);
+}
+
+TEST(FibreStrain, IsNanWhereAPositionIs)
+{
+  FibreNetwork network = random_network(20, 3);
+  std::vector<Vec3> X = network.X;
+  const NodeGroup everything{"all", 0, network.node_count()};
+  ASSERT_TRUE(std::isfinite(fibre_strain(network, X, everything).largest));
+  ASSERT_TRUE(std::isfinite(largest_tether_displacement(network, X)));
+  X[static_cast<std::size_t>(network.springs.a[7])][1] = std::nan("");
+  EXPECT_TRUE(std::isnan(fibre_strain(network, X, everything).largest));
+  X = network.X;
+  X[static_cast<std::size_t>(network.tethers.node.front())][2] = std::nan("");
+  EXPECT_TRUE(std::isnan(largest_tether_displacement(network, X)));
 }
 
 }  // namespace

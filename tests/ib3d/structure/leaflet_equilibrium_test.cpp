@@ -72,7 +72,7 @@ TEST(LeafletEquilibrium, InnerNodesAreInBalance)
   const double pressure = common::dyn_cm2_from_mmHg(85.0);
   std::vector<Vec3> load(found.X.size()), elastic(found.X.size());
   leaflet_load(lattice, pressure, found.X, load);
-  fibre_force(lattice.network, found.X, elastic);
+  add_fibre_force(lattice.network, found.X, elastic);
   const double node_load = pressure * lattice.row_distance * lattice.column_distance;
   for (std::size_t i = 0; i < load.size(); ++i) {
     if (lattice.on_edge[i] == 0) {
@@ -87,7 +87,7 @@ TEST(LeafletEquilibrium, AttachmentBearsThePressureOnAThirdOfTheTube)
   const double pressure = common::dyn_cm2_from_mmHg(85.0);
   std::vector<Vec3> load(found.X.size()), elastic(found.X.size());
   leaflet_load(lattice, pressure, found.X, load);
-  fibre_force(lattice.network, found.X, elastic);
+  add_fibre_force(lattice.network, found.X, elastic);
   Vec3 total_load{0.0, 0.0, 0.0}, reaction{0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < load.size(); ++i) {
     total_load += load[i];

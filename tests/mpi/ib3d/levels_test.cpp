@@ -11,6 +11,7 @@
 #include "ib3d/immersed_boundary.hpp"
 #include "ib3d/output/mpi_session.hpp"
 #include "ib3d/output/probes.hpp"
+#include "ib3d/structure/fibres/fibre_model.hpp"
 
 namespace valsalva::ib3d {
 namespace {
@@ -33,7 +34,7 @@ FibreNetwork ring(const Vec3& centre)
 
 std::vector<Opening> two_discs()
 {
-  return {{"inlet", 4, {1, 1, 0}, 0.6, "lv"}, {"outlet", 5, {1, 1, 0}, 0.7, "ao"}};
+  return {{"inlet", Side::z_lo, {1, 1, 0}, 0.6, "lv"}, {"outlet", Side::z_hi, {1, 1, 0}, 0.7, "ao"}};
 }
 
 struct RingFlow {
@@ -44,9 +45,9 @@ struct RingFlow {
     const FibreNetwork network = ring({1, 1, 1.2});
     const Hierarchy grid(walled_box(kSize), kH, comm, refine(walled_box(kSize), kH, policy, network.X),
                          network.X, boxes);
-    root = std::make_unique<ImmersedBoundarySolver>(grid, two_discs(), FluidParameters{},
-                                                    PressureOptions{"multilevel", tolerance, 100}, network,
-                                                    StructureScheme::leapfrog, timers, policy);
+    root = std::make_unique<ImmersedBoundarySolver>(
+        grid, two_discs(), FluidParameters{}, PressureOptions{"multilevel", tolerance, 100},
+        std::make_unique<FibreModel>(network), StructureScheme::leapfrog, timers, policy);
   }
   void advance(int steps, double dt, double p_in)
   {
@@ -71,7 +72,7 @@ TEST(Levels, RefinedGridMovesTheStructureAsAFineGridDoes)
   EXPECT_GT(path, 0.1);
   EXPECT_LT(furthest_apart(fine.X(), two.X()), 0.01 * path);
   EXPECT_LT(furthest_apart(fine.X(), three.X()), 0.01 * path);
-  EXPECT_LT(two.root->fluid().grid().valid_cell_count(), fine.root->fluid().grid().valid_cell_count() / 2);
+  EXPECT_LT(two.root->grid().valid_cell_count(), fine.root->grid().valid_cell_count() / 2);
 }
 
 /// A sphere of meridians and parallels under tension.
@@ -107,14 +108,15 @@ TEST(Levels, PressureInASphereUnderTensionIsThatOfTheFineGrid)
     const Hierarchy grid(walled_box(kSize), kH, MPI_COMM_WORLD,
                          refine(walled_box(kSize), kH, policy, network.X), network.X);
     Timers timers;
-    ImmersedBoundarySolver root(grid, two_discs(), {}, {"multilevel", 1e-6, 100}, network,
-                                StructureScheme::leapfrog, timers, policy);
+    ImmersedBoundarySolver root(grid, two_discs(), {}, {"multilevel", 1e-6, 100},
+                                std::make_unique<FibreModel>(network), StructureScheme::leapfrog, timers,
+                                policy);
     for (int step = 0; step < 3; ++step) {
       root.begin_step(1e-4);
       root.solve_fluid({0, 0});
       root.accept({0, 0});
     }
-    const std::vector<double> p = pressure_at(root.fluid().grid(), root.fluid().p(), 1, 1, {0.5, 2.0});
+    const std::vector<double> p = pressure_at(root.grid(), root.fluid().p(), 1, 1, {0.5, 2.0});
     jumps.push_back(p[1] - p[0]);
   }
   EXPECT_GT(jumps[0], 100);
@@ -125,9 +127,9 @@ TEST(Levels, PressureInASphereUnderTensionIsThatOfTheFineGrid)
 TEST(Levels, GridFollowsTheStructure)
 {
   RingFlow run(2, 0);
-  const Refinement before = run.root->fluid().grid().refinement();
+  const Refinement before = run.root->grid().refinement();
   run.advance(160, 1e-3, 400);
-  const Hierarchy& grid = run.root->fluid().grid();
+  const Hierarchy& grid = run.root->grid();
   EXPECT_NE(before, grid.refinement());
   double highest = 0;
   for (const Vec3& x : run.X()) {
@@ -150,14 +152,14 @@ TEST(Levels, ARunContinuedAfterARegridRepeatsItToTheBit)
   const std::string path = shared_file("regrid.h5");
   RingFlow whole(2, 0), second(2, 0);
   whole.advance(90, 1e-3, 400);
-  const Refinement boxes = whole.root->fluid().grid().refinement();
-  EXPECT_NE(boxes, second.root->fluid().grid().refinement());
+  const Refinement boxes = whole.root->grid().refinement();
+  EXPECT_NE(boxes, second.root->grid().refinement());
   Checkpoint out = Checkpoint::create(path, MPI_COMM_WORLD);
   whole.root->save_or_restore(out);
   out.close();
   Checkpoint in = Checkpoint::open(path, MPI_COMM_WORLD);
   second.root->save_or_restore(in);
-  EXPECT_EQ(boxes, second.root->fluid().grid().refinement());
+  EXPECT_EQ(boxes, second.root->grid().refinement());
   for (RingFlow* run : {&whole, &second}) run->advance(30, 1e-3, 400);
   const std::vector<Vec3> a = whole.X(), b = second.X();
   for (std::size_t n = 0; n < a.size(); ++n)

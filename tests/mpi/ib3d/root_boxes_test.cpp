@@ -10,6 +10,7 @@
 #include "ib3d/fluid/tube.hpp"
 #include "ib3d/immersed_boundary.hpp"
 #include "ib3d/output/mpi_session.hpp"
+#include "ib3d/structure/fibres/fibre_model.hpp"
 #include "ib3d/structure/random_network.hpp"
 
 namespace valsalva::ib3d {
@@ -28,14 +29,14 @@ FibreNetwork tangle()
 
 std::vector<Opening> two_discs()
 {
-  return {{"inlet", 4, {1, 1, 0}, 0.6, "lv"}, {"outlet", 5, {1, 1, 0}, 0.7, "ao"}};
+  return {{"inlet", Side::z_lo, {1, 1, 0}, 0.6, "lv"}, {"outlet", Side::z_hi, {1, 1, 0}, 0.7, "ao"}};
 }
 
 struct TangleRun {
   TangleRun(MPI_Comm comm, int boxes, StructureScheme scheme, double fold_relaxation = 0)
       : grid(walled_box(kSize), 0.125, comm, boxes),
-        root(grid, two_discs(), {}, {"multilevel", 1e-11, 100}, tangle(), scheme, timers, {}, {},
-             fold_relaxation)
+        root(grid, two_discs(), {}, {"multilevel", 1e-11, 100},
+             std::make_unique<FibreModel>(tangle(), fold_relaxation), scheme, timers)
   {
     advance();
   }

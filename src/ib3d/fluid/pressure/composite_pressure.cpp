@@ -52,9 +52,9 @@ template <class T>
 void CompositePressure::correct_edge(int l, const CompositeCells<T>& p, CellField<float>& y, float sign)
 {
   const auto ll = static_cast<std::size_t>(l);
-  edges_[ll].for_each_flux(p[ll + 1], [&](int patch, const Int3& c, int side, double jumps) {
+  edges_[ll].for_each_flux(p[ll + 1], [&](int patch, const Int3& c, Side side, double jumps) {
     const Array3<T>& a = p[ll][patch];
-    const std::ptrdiff_t to_covered = (side_is_high(side) ? -1 : 1) * a.stride(side_direction(side));
+    const std::ptrdiff_t to_covered = inward(side) * a.stride(axis(side));
     const T* x = a.at(c[0], c[1], c[2]);
     // h_c^2 (mean of the four fine gradients)/h_c = (sum of jumps)/4 h_c/h_f.
     y[patch](c[0], c[1], c[2]) += sign * static_cast<float>(0.5 * jumps + static_cast<double>(x[to_covered]) -

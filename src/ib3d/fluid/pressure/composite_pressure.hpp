@@ -15,7 +15,7 @@ std::vector<CoarseFine> transfers_between_levels(const Hierarchy& grid, int ghos
 
 class CompositePressure {
  public:
-  /// `transfers` must outlive the object.
+  /// `grid` and `transfers` must outlive the object.
   CompositePressure(const Hierarchy& grid, const std::vector<Opening>& openings,
                     std::vector<CoarseFine>& transfers);
 
@@ -52,7 +52,7 @@ class CompositePressure {
   template <class T>
   void correct_edge(int l, const CompositeCells<T>& p, CellField<float>& y, float sign);
 
-  Hierarchy hierarchy_;
+  const Hierarchy& hierarchy_;
   std::vector<CoarseFine>& transfers_;
   std::vector<PressureGrid> grids_;
   std::vector<PressureInterface> edges_;

@@ -30,13 +30,16 @@ struct HyprePfmg::Handles {
 
 namespace {
 
+/// Throws for any error that hypre has noted so far.
 void check(const char* what)
 {
+  HYPRE_ClearError(HYPRE_ERROR_CONV);  // "not converged" after a fixed number of cycles is not an error here
   const HYPRE_Int error = HYPRE_GetError();
   if (error == 0) return;
+  char description[128] = "";
+  HYPRE_DescribeError(error, description);
   HYPRE_ClearAllErrors();
-  throw SolverError(
-      fmt::format("hypre could not {} (error {}); try pressure.solver = \"multilevel\"", what, error));
+  throw SolverError(fmt::format("hypre could not {}: {}(error {})", what, description, error));
 }
 
 /// hypre's boxes have inclusive upper corners.
@@ -53,8 +56,7 @@ std::vector<double> matrix_rows(const PressureGrid& grid, int patch)
   rows.reserve(static_cast<std::size_t>(7 * box.volume()));
   for_each_index(box, [&](int, int, int) { rows.insert(rows.end(), {6, -1, -1, -1, -1, -1, -1}); });
   for (const SidePlane<float>& theta : grid.shares(patch)) {
-    const auto d = static_cast<std::size_t>(side_direction(theta.side));
-    theta.for_each(side_is_high(theta.side) ? box.hi[d] - 1 : box.lo[d], [&](const Int3& at, int a, int b) {
+    theta.for_each(box.cells_inside(theta.side), [&](const Int3& at, int a, int b) {
       const auto row = static_cast<std::size_t>(
           7 * (at[0] - box.lo[0] + box.size(0) * (at[1] - box.lo[1] + box.size(1) * (at[2] - box.lo[2]))));
       rows[row] -= 1 - 2 * static_cast<double>(theta(a, b));
@@ -139,7 +141,7 @@ void HyprePfmg::solve(const CellField<float>& r, CellField<float>& z)
       for (int i = 0; i < box.size(0); ++i) row[i] = static_cast<float>(*next++);
     });
   }
-  HYPRE_ClearAllErrors();  // "not converged" after the fixed number of cycles is not an error here
+  check("solve the pressure problem with PFMG");
 }
 
 }  // namespace valsalva::ib3d

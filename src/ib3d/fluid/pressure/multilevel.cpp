@@ -120,23 +120,13 @@ struct Multilevel::Transfer {
   Transfer(const Level& coarse, const Level& fine)
       : coarsened(fine.coarsened()), rhs(coarsened), e(coarsened), down(coarse.comm), up(coarse.comm)
   {
-    const std::vector<int> here = coarse.local_numbers(), there = fine.local_numbers();
-    for (std::size_t f = 0; f < fine.patches.size(); ++f) {
-      std::vector<IndexBox> wanted{coarsened.patches[f].box.grown(1)};
-      for (std::size_t c = 0; c < coarse.patches.size(); ++c)
-        for_each_image(coarse, [&](const Int3& shift) {
-          const Int3 back{-shift[0], -shift[1], -shift[2]};
-          const int fine_owner = fine.patches[f].owner, coarse_owner = coarse.patches[c].owner;
-          const IndexBox& cells = coarse.patches[c].box;
-          down.add(fine_owner, coarse_owner,
-                   {0, there[f], here[c], intersect(coarsened.patches[f].box, cells.shifted(back)), shift});
-          const IndexBox source = coarse.with_outside(cells, cells, 1).shifted(back);
-          for (const IndexBox& w : wanted)
-            up.add(coarse_owner, fine_owner,
-                   {0, here[c], there[f], intersect(w, source).shifted(shift), back});
-          wanted = without(wanted, source);
-        });
-    }
+    for_each_overlap(coarsened, coarse, [&](std::size_t f, std::size_t c, const Int3& shift) {
+      const Patch &from = coarsened.patches[f], &to = coarse.patches[c];
+      down.add(from, to, shift, Centring::cell, from.box, to.box);
+    });
+    for (const Patch& to : coarsened.patches)
+      up.add_sources(coarse, to, Centring::cell, to.box.grown(1),
+                     [&](const IndexBox& cells) { return coarse.with_outside(cells, cells, 1); });
   }
 };
 
@@ -148,8 +138,7 @@ Multilevel::MgLevel::MgLevel(PressureGrid g, PressureInterface* level_edge)
     Array3<float>& diagonal = relaxation[p];
     for_each_index(box, [&](int i, int j, int k) { diagonal(i, j, k) = 6.0f; });
     for (const SidePlane<float>& theta : grid.shares(p)) {
-      const auto d = static_cast<std::size_t>(side_direction(theta.side));
-      theta.for_each(side_is_high(theta.side) ? box.hi[d] - 1 : box.lo[d], [&](const Int3& at, int a, int b) {
+      theta.for_each(box.cells_inside(theta.side), [&](const Int3& at, int a, int b) {
         diagonal(at[0], at[1], at[2]) -= 1 - 2 * theta(a, b);
       });
     }
@@ -233,14 +222,12 @@ void Multilevel::cycle(std::size_t l, const CellField<float>& rhs, CellField<flo
   } else {
     Transfer& t = *m.transfer;
     restrict_residual(t.coarsened, m.grid.level(), rhs, e, t.rhs);
-    t.down.forward<float>([&](int p, int) -> const Array3<float>& { return t.rhs[p]; },
-                          [&](int p, int) -> Array3<float>& { return coarse.rhs[p]; });
-    m.edge->for_each_flux(e, [&](int patch, const Int3& c, int, double jumps) {
+    t.down.forward(t.rhs, coarse.rhs);
+    m.edge->for_each_flux(e, [&](int patch, const Int3& c, Side, double jumps) {
       coarse.rhs[patch](c[0], c[1], c[2]) -= static_cast<float>(0.5 * jumps);
     });
     cycle(l + 1, coarse.rhs, coarse_e);
-    t.up.forward<float>([&](int p, int) -> const Array3<float>& { return coarse_e[p]; },
-                        [&](int p, int) -> Array3<float>& { return t.e[p]; });
+    t.up.forward(coarse_e, t.e);
     add_prolongation(m.grid.level(), t.e, e);
     m.edge->take_base(coarse_e);
   }

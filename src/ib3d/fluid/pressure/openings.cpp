@@ -7,16 +7,14 @@
 namespace valsalva::ib3d {
 
 template <class T>
-SidePlane<T>::SidePlane(const IndexBox& cells, int side_number, T fill) : side(side_number)
+SidePlane<T>::SidePlane(const IndexBox& cells, Side at, T fill)
+    : side(at),
+      lo1(cells.lo[static_cast<std::size_t>(first_tangent(at))]),
+      lo2(cells.lo[static_cast<std::size_t>(second_tangent(at))]),
+      n1(cells.size(first_tangent(at))),
+      n2(cells.size(second_tangent(at))),
+      value(static_cast<std::size_t>(n1) * static_cast<std::size_t>(n2), fill)
 {
-  const int d = side_direction(side);
-  t1 = d == 0 ? 1 : 0;
-  t2 = d == 2 ? 1 : 2;
-  lo1 = cells.lo[static_cast<std::size_t>(t1)];
-  lo2 = cells.lo[static_cast<std::size_t>(t2)];
-  n1 = cells.size(t1);
-  n2 = cells.size(t2);
-  value.assign(static_cast<std::size_t>(n1) * static_cast<std::size_t>(n2), fill);
 }
 
 template <class T>
@@ -30,30 +28,18 @@ template struct SidePlane<double>;
 
 bool in_disc(const Opening& opening, const Level& level, int a, int b)
 {
-  const double x = (a + 0.5) * level.h - opening.centre[0];
-  const double y = (b + 0.5) * level.h - opening.centre[1];
+  const double x = (a + 0.5) * level.h - opening.centre[first_tangent(opening.side)];
+  const double y = (b + 0.5) * level.h - opening.centre[second_tangent(opening.side)];
   return x * x + y * y <= opening.radius * opening.radius;
 }
 
 namespace {
 
-/// First cell inside boundary face (a, b) of a side.
-Int3 cell_at(const Level& level, int side, int a, int b)
-{
-  const int d = side_direction(side);
-  Int3 cell{};
-  cell[static_cast<std::size_t>(d)] = side_is_high(side) ? level.box.hi[static_cast<std::size_t>(d)] - 1
-                                                         : level.box.lo[static_cast<std::size_t>(d)];
-  cell[d == 0 ? 1 : 0] = a;
-  cell[d == 2 ? 1 : 2] = b;
-  return cell;
-}
-
-float share(const Hierarchy& grid, int l, int side, int a, int b, const std::vector<Opening>& openings)
+float share(const Hierarchy& grid, int l, Side side, int a, int b, const std::vector<Opening>& openings)
 {
   const Level& level = grid.level(l);
-  if (level.domain.sides[static_cast<std::size_t>(side)] == SideKind::open) return 1.0f;
-  if (grid.covered(l, cell_at(level, side, a, b))) {
+  if (level.domain.kind(side) == SideKind::open) return 1.0f;
+  if (grid.covered(l, place_at(side, level.box.cells_inside(side), a, b))) {
     float sum = 0;
     for (int m = 0; m < 4; ++m) sum += share(grid, l + 1, side, 2 * a + (m & 1), 2 * b + (m >> 1), openings);
     return coarse_share(sum);
@@ -71,12 +57,10 @@ std::vector<SidePlane<float>> pressure_shares(const Hierarchy& grid, int l, int 
   std::vector<SidePlane<float>> planes;
   const Level& level = grid.level(l);
   const IndexBox& cells = level.local_box(local_patch);
-  for (int side = 0; side < kSideCount; ++side) {
+  for (const Side side : kSides) {
     if (!level.at_side(cells, side)) continue;
     SidePlane<float> plane(cells, side, 0.0f);
-    for (int b = plane.lo2; b < plane.lo2 + plane.n2; ++b)
-      for (int a = plane.lo1; a < plane.lo1 + plane.n1; ++a)
-        plane(a, b) = share(grid, l, side, a, b, openings);
+    plane.for_each(0, [&](const Int3&, int a, int b) { plane(a, b) = share(grid, l, side, a, b, openings); });
     planes.push_back(std::move(plane));
   }
   return planes;
@@ -86,22 +70,18 @@ OpeningFaces::OpeningFaces(const Hierarchy& grid, const std::vector<Opening>& op
 {
   for (const Level& level : grid.levels()) h_.push_back(level.h);
   for (const Opening& o : openings) {
-    const bool high = side_is_high(o.side);
-    outward_.push_back(high ? 1.0 : -1.0);
     std::vector<Face>& faces = faces_.emplace_back();
     double area = 0;
     for (int l = 0; l < grid.level_count(); ++l) {
       const Level& level = grid.level(l);
-      const int k = high ? level.box.hi[2] : level.box.lo[2];
+      const int face = level.box.faces_at(o.side), inside = level.box.cells_inside(o.side);
       for (int p = 0; p < level.local_count(); ++p) {
-        const IndexBox& cells = level.local_box(p);
-        if (!level.at_side(cells, o.side)) continue;
-        for (int j = cells.lo[1]; j < cells.hi[1]; ++j)
-          for (int i = cells.lo[0]; i < cells.hi[0]; ++i) {
-            if (!in_disc(o, level, i, j) || grid.covered(l, cell_at(level, o.side, i, j))) continue;
-            faces.push_back({l, p, i, j, k});
-            area += level.h * level.h;
-          }
+        if (!level.at_side(level.local_box(p), o.side)) continue;
+        SidePlane<float>(level.local_box(p), o.side, 0).for_each(face, [&](const Int3& at, int a, int b) {
+          if (!in_disc(o, level, a, b) || grid.covered(l, place_at(o.side, inside, a, b))) return;
+          faces.push_back({l, p, o.side, at, place_at(o.side, face - 1, a, b)});
+          area += level.h * level.h;
+        });
       }
     }
     area_.push_back(area);

@@ -1,4 +1,4 @@
-// Openings: discs on a z side of the domain where the pressure is prescribed (normal traction, no tangential
+// Openings: discs on the sides of the domain where the pressure is prescribed (normal traction, no tangential
 // slip), and the pressure condition of every side of the domain.
 //   wall           dp/dn = 0               theta = 0
 //   open, disc     p = p_b on the side     theta = 1
@@ -14,40 +14,42 @@
 
 namespace valsalva::ib3d {
 
-/// A disc on a z side of the domain.
+/// A disc on a side of the domain.
 struct Opening {
   std::string name;
-  int side = 4;       ///< 4 = z_lo, 5 = z_hi
-  Vec3 centre{};      ///< cm; the z component is ignored
+  Side side = Side::z_lo;
+  Vec3 centre{};      ///< cm; the component across the side is ignored
   double radius = 0;  ///< cm
   std::string port;   ///< node of the 0D network
 };
 
-/// A plane of values over the first layer of cells of a patch along one side; t1, t2 the tangential
-/// directions.
+/// Indices of a place on a side: `along` across it, a and b along its tangents.
+constexpr Int3 place_at(Side side, int along, int a, int b)
+{
+  Int3 at{};
+  at[static_cast<std::size_t>(axis(side))] = along;
+  at[static_cast<std::size_t>(first_tangent(side))] = a;
+  at[static_cast<std::size_t>(second_tangent(side))] = b;
+  return at;
+}
+
+/// A plane of values over the first layer of cells of a patch along one side, indexed along its two tangents.
 template <class T>
 struct SidePlane {
-  int side = 0;
-  int t1 = 1, t2 = 2;
+  Side side = Side::x_lo;
   int lo1 = 0, lo2 = 0, n1 = 0, n2 = 0;  ///< indices of the cells covered, ghosts left out
   std::vector<T> value;
   SidePlane() = default;
   /// Over the cells of a patch that touches the side, every value `fill`.
-  SidePlane(const IndexBox& cells, int side_number, T fill);
+  SidePlane(const IndexBox& cells, Side at, T fill);
   T& operator()(int a, int b) { return value[index(a, b)]; }
   T operator()(int a, int b) const { return value[index(a, b)]; }
   /// Calls f(index, a, b) for every place of the plane, with `along` as its index across the side.
   template <class F>
   void for_each(int along, F&& f) const
   {
-    Int3 at{};
-    at[static_cast<std::size_t>(side_direction(side))] = along;
     for (int b = lo2; b < lo2 + n2; ++b)
-      for (int a = lo1; a < lo1 + n1; ++a) {
-        at[static_cast<std::size_t>(t1)] = a;
-        at[static_cast<std::size_t>(t2)] = b;
-        f(at, a, b);
-      }
+      for (int a = lo1; a < lo1 + n1; ++a) f(place_at(side, along, a, b), a, b);
   }
   /// Like operator(), with indices outside the plane clamped to it (for corner ghosts).
   T clamped(int a, int b) const;
@@ -77,7 +79,22 @@ class OpeningFaces {
  public:
   struct Face {
     int level, patch;  ///< patch: local number
-    int i, j, k;       ///< of the face normal to z
+    Side side;
+    Int3 at;     ///< of the face
+    Int3 below;  ///< of the cell on its low side; `at` is that on its high side
+
+    /// The velocity through it, along its axis.
+    double normal(const CompositeMac& u) const
+    {
+      return u[static_cast<std::size_t>(level)](patch, axis(side))(at[0], at[1], at[2]);
+    }
+    /// The jump of cell values across it, along its axis.
+    template <class T>
+    T jump(const CompositeCells<T>& p) const
+    {
+      const Array3<T>& a = p[static_cast<std::size_t>(level)][patch];
+      return a(at[0], at[1], at[2]) - a(below[0], below[1], below[2]);
+    }
   };
   /// CaseError("opening.radius_cm") names a disc without any face. Collective.
   OpeningFaces(const Hierarchy& grid, const std::vector<Opening>& openings);
@@ -87,20 +104,19 @@ class OpeningFaces {
   /// cm^2.
   double area(std::size_t opening) const { return area_[opening]; }
   /// Volume flow (ml/s) through every opening, positive out of the domain, for the velocity (cm/s) that w(face)
-  /// gives along z. Collective.
+  /// gives along the face's axis. Collective.
   template <class W>
   std::vector<double> flow_of(W&& w) const;
   /// The same of a velocity field (cm/s).
   std::vector<double> flow(const CompositeMac& u) const
   {
-    return flow_of(
-        [&](const Face& f) { return u[static_cast<std::size_t>(f.level)](f.patch, 2)(f.i, f.j, f.k); });
+    return flow_of([&](const Face& f) { return f.normal(u); });
   }
 
  private:
   MPI_Comm comm_;
   std::vector<double> h_;  ///< of every level
-  std::vector<double> outward_, area_;
+  std::vector<double> area_;
   std::vector<std::vector<Face>> faces_;
 };
 
@@ -111,7 +127,7 @@ std::vector<double> OpeningFaces::flow_of(W&& w) const
   for (std::size_t m = 0; m < faces_.size(); ++m)
     for (const Face& f : faces_[m]) {
       const double h = h_[static_cast<std::size_t>(f.level)];
-      flow[m] += outward_[m] * h * h * w(f);
+      flow[m] += -inward(f.side) * h * h * w(f);
     }
   MPI_Allreduce(MPI_IN_PLACE, flow.data(), static_cast<int>(flow.size()), MPI_DOUBLE, MPI_SUM, comm_);
   return flow;

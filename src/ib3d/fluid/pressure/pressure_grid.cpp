@@ -30,18 +30,12 @@ inline void fill_line(T* ghost, const float* __restrict a, std::ptrdiff_t inward
 template <class T>
 void fill_side(const Level& level, const SidePlane<float>& reflection, Array3<T>& p)
 {
-  const int d = side_direction(reflection.side);
-  const auto dd = static_cast<std::size_t>(d);
-  const bool high = side_is_high(reflection.side);
-  const std::ptrdiff_t inward = (high ? -1 : 1) * p.stride(d);
-  Int3 at{};
-  at[dd] = high ? level.box.hi[dd] : level.box.lo[dd] - 1;
-  at[static_cast<std::size_t>(reflection.t1)] = reflection.lo1;
+  const Side side = reflection.side;
   for (int b = reflection.lo2; b < reflection.lo2 + reflection.n2; ++b) {
-    at[static_cast<std::size_t>(reflection.t2)] = b;
+    const Int3 at = place_at(side, level.box.cells_outside(side), reflection.lo1, b);
     fill_line(p.at(at[0], at[1], at[2]),
-              &reflection.value[static_cast<std::size_t>((b - reflection.lo2) * reflection.n1)], inward,
-              p.stride(reflection.t1), reflection.n1);
+              &reflection.value[static_cast<std::size_t>((b - reflection.lo2) * reflection.n1)],
+              inward(side) * p.stride(axis(side)), p.stride(first_tangent(side)), reflection.n1);
   }
 }
 
@@ -49,11 +43,9 @@ void fill_side(const Level& level, const SidePlane<float>& reflection, Array3<T>
 void add_to_side(const Level& level, const SidePlane<float>& theta, const SidePlane<double>& p_b,
                  Array3<double>& p)
 {
-  const auto d = static_cast<std::size_t>(side_direction(theta.side));
-  theta.for_each(side_is_high(theta.side) ? level.box.hi[d] : level.box.lo[d] - 1,
-                 [&](const Int3& at, int a, int b) {
-                   p(at[0], at[1], at[2]) += 2 * static_cast<double>(theta(a, b)) * p_b(a, b);
-                 });
+  theta.for_each(level.box.cells_outside(theta.side), [&](const Int3& at, int a, int b) {
+    p(at[0], at[1], at[2]) += 2 * static_cast<double>(theta(a, b)) * p_b(a, b);
+  });
 }
 
 /// 1 - 2 theta on the plane and one ring of corner ghosts around it, which repeat the nearest face.
@@ -67,8 +59,7 @@ std::vector<SidePlane<float>> reflections(const std::vector<SidePlane<float>>& s
     r.n1 += 2;
     r.n2 += 2;
     r.value.resize(static_cast<std::size_t>(r.n1) * static_cast<std::size_t>(r.n2));
-    for (int b = r.lo2; b < r.lo2 + r.n2; ++b)
-      for (int a = r.lo1; a < r.lo1 + r.n1; ++a) r(a, b) = 1 - 2 * theta.clamped(a, b);
+    r.for_each(0, [&](const Int3&, int a, int b) { r(a, b) = 1 - 2 * theta.clamped(a, b); });
     planes.push_back(std::move(r));
   }
   return planes;
@@ -97,11 +88,10 @@ PressureGrid PressureGrid::coarsened() const
     coarse.shares_.emplace_back();
     for (const SidePlane<float>& fine : shares(p)) {
       SidePlane<float> plane(coarse.level_.local_box(p), fine.side, 0.0f);
-      for (int b = plane.lo2; b < plane.lo2 + plane.n2; ++b)
-        for (int a = plane.lo1; a < plane.lo1 + plane.n1; ++a) {
-          plane(a, b) = coarse_share(fine(2 * a, 2 * b) + fine(2 * a + 1, 2 * b) + fine(2 * a, 2 * b + 1) +
-                                     fine(2 * a + 1, 2 * b + 1));
-        }
+      plane.for_each(0, [&](const Int3&, int a, int b) {
+        plane(a, b) = coarse_share(fine(2 * a, 2 * b) + fine(2 * a + 1, 2 * b) + fine(2 * a, 2 * b + 1) +
+                                   fine(2 * a + 1, 2 * b + 1));
+      });
       coarse.shares_.back().push_back(std::move(plane));
     }
     coarse.reflections_.push_back(reflections(coarse.shares_.back()));
@@ -140,10 +130,11 @@ void PressureGrid::add_prescribed(CellField<double>& p, const BoundaryPressure& 
 
 void set_boundary_pressure(std::vector<BoundaryPressure>& p_b, const OpeningFaces::Face& face, double value)
 {
-  const int side = face.k == 0 ? 4 : 5;
+  const auto a = static_cast<std::size_t>(first_tangent(face.side)),
+             b = static_cast<std::size_t>(second_tangent(face.side));
   for (SidePlane<double>& plane :
        p_b[static_cast<std::size_t>(face.level)][static_cast<std::size_t>(face.patch)])
-    if (plane.side == side) plane(face.i, face.j) = value;
+    if (plane.side == face.side) plane(face.at[a], face.at[b]) = value;
 }
 
 }  // namespace valsalva::ib3d

@@ -4,32 +4,22 @@
 
 namespace valsalva::ib3d {
 
-PressureInterface::PressureInterface(const Level& coarse, const Level& fine) : coarse_(coarse), fine_(fine)
+PressureInterface::PressureInterface(const Level& coarse, const Level& fine) : coarse_(coarse)
 {
   MPI_Comm_rank(coarse.comm, &rank_);
-  const std::vector<int> here = coarse_.local_numbers(), there = fine_.local_numbers();
-  for (std::size_t f = 0; f < fine_.patches.size(); ++f)
-    for (int side = 0; side < kSideCount; ++side) {
-      const IndexBox& box = fine_.patches[f].box;
-      if (fine_.at_side(box, side)) continue;
-      const auto d = static_cast<std::size_t>(side_direction(side));
-      IndexBox outside = box;
-      outside.lo[d] = side_is_high(side) ? box.hi[d] : box.lo[d] - 2;
-      outside.hi[d] = outside.lo[d] + 2;  // one coarse cell
-      std::vector<IndexBox> edge{outside};
-      for_each_image(fine_, [&](const Int3& shift) {
-        for (const Patch& p : fine_.patches) edge = without(edge, p.box.shifted(shift));
-      });
-      for (const IndexBox& part : edge)
-        for (std::size_t c = 0; c < coarse_.patches.size(); ++c)
-          for_each_image(coarse_, [&](const Int3& shift) {
-            const Int3 back{-shift[0], -shift[1], -shift[2]};
-            const IndexBox cells = intersect(part.coarsened(), coarse_.patches[c].box.shifted(back));
-            const int fine_owner = fine_.patches[f].owner, coarse_owner = coarse_.patches[c].owner;
-            if (cells.empty() || (fine_owner != rank_ && coarse_owner != rank_)) return;
-            pieces_.push_back({side, there[f], here[c], fine_owner, coarse_owner, cells, shift,
-                               std::vector<double>(static_cast<std::size_t>(4 * cells.volume()), 0.0)});
-          });
+  for (const Patch& patch : fine.patches)
+    for (const Side side : kSides) {
+      if (fine.at_side(patch.box, side)) continue;
+      const int first = is_high(side) ? patch.box.faces_at(side) : patch.box.faces_at(side) - 2;
+      const IndexBox outside = patch.box.with_range(axis(side), first, 2);  // one coarse cell
+      for (const IndexBox& part : uncovered({outside}, fine))
+        for_each_patch_image(coarse, [&](std::size_t c, const Int3& shift) {
+          const Patch& under = coarse.patches[c];
+          const IndexBox cells = intersect(part.coarsened(), under.box.shifted_back(shift));
+          if (cells.empty() || (patch.owner != rank_ && under.owner != rank_)) return;
+          pieces_.push_back({side, patch.local, under.local, patch.owner, under.owner, cells, shift,
+                             std::vector<double>(static_cast<std::size_t>(4 * cells.volume()), 0.0)});
+        });
     }
 }
 
@@ -40,18 +30,16 @@ void PressureInterface::zero_base()
 
 void PressureInterface::send(bool to_fine)
 {
-  std::vector<MPI_Request> requests;
+  Messages messages(coarse_.comm, Tag::level_edges);
   for (Piece& piece : pieces_) {
     if (piece.fine_owner == piece.coarse_owner) continue;
     const int other = piece.fine_owner == rank_ ? piece.coarse_owner : piece.fine_owner;
-    const bool receiving = (piece.fine_owner == rank_) == to_fine;
-    const auto count = static_cast<int>(piece.values.size());
-    if (receiving)
-      MPI_Irecv(piece.values.data(), count, MPI_DOUBLE, other, 4, coarse_.comm, &requests.emplace_back());
+    if ((piece.fine_owner == rank_) == to_fine)
+      messages.receive(other, piece.values.data(), piece.values.size());
     else
-      MPI_Isend(piece.values.data(), count, MPI_DOUBLE, other, 4, coarse_.comm, &requests.emplace_back());
+      messages.send(other, piece.values.data(), piece.values.size());
   }
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  messages.wait();
 }
 
 namespace {

@@ -13,7 +13,7 @@ namespace valsalva::ib3d {
 
 class PressureInterface {
  public:
-  /// Between a level and the next finer one.
+  /// Between a level, which must outlive the object, and the next finer one.
   PressureInterface(const Level& coarse, const Level& fine);
 
   /// Takes 8/15 c* from coarse values with filled ghosts (their corners too). Collective.
@@ -38,7 +38,7 @@ class PressureInterface {
   /// Coarse cells in a plane outside one face of a fine patch. `values` are 4 per cell; for a row of n cells along t1,
   /// the 2n along its lower half of fine cells in t2, then the 2n along the upper half.
   struct Piece {
-    int side;                      ///< of the fine patch
+    Side side;                     ///< of the fine patch
     int fine_patch, coarse_patch;  ///< local numbers, -1 on another rank
     int fine_owner, coarse_owner;
     IndexBox cells;  ///< in the fine patch's image
@@ -47,26 +47,24 @@ class PressureInterface {
   };
   template <class F>
   static void for_each_row(const Piece& piece, F&& f);
-  static int first_tangent(int side) { return side_direction(side) == 0 ? 1 : 0; }
-  static int second_tangent(int side) { return side_direction(side) == 2 ? 1 : 2; }
   /// From a ghost to the fine cell at the edge.
   template <class T>
   static std::ptrdiff_t inward_of(const Piece& piece, const Array3<T>& fine)
   {
-    return (side_is_high(piece.side) ? -1 : 1) * fine.stride(side_direction(piece.side));
+    return inward(piece.side) * fine.stride(axis(piece.side));
   }
   /// The ghost at the low end of coarse cell c in both tangents.
   template <class A>
   static auto first_ghost(const Piece& piece, A& fine, Int3 c)
   {
     for (int& i : c) i *= 2;
-    if (!side_is_high(piece.side)) ++c[static_cast<std::size_t>(side_direction(piece.side))];
+    if (!is_high(piece.side)) ++c[static_cast<std::size_t>(axis(piece.side))];
     return fine.at(c[0], c[1], c[2]);
   }
   /// Moves the values of pieces that two ranks share.
   void send(bool to_fine);
 
-  Level coarse_, fine_;
+  const Level& coarse_;
   int rank_ = 0;
   std::vector<Piece> pieces_;
 };
@@ -76,11 +74,10 @@ void PressureInterface::for_each_edge_cell(int p, F&& f) const
 {
   for (const Piece& piece : pieces_) {
     if (piece.fine_patch != p) continue;
-    IndexBox layer = piece.cells.refined();
-    const auto d = static_cast<std::size_t>(side_direction(piece.side));
-    layer.lo[d] = side_is_high(piece.side) ? layer.lo[d] - 1 : layer.hi[d];
-    layer.hi[d] = layer.lo[d] + 1;
-    for_each_index(layer, f);
+    const IndexBox outside = piece.cells.refined();
+    const auto d = static_cast<std::size_t>(axis(piece.side));
+    const int at = is_high(piece.side) ? outside.lo[d] - 1 : outside.hi[d];
+    for_each_index(outside.with_range(axis(piece.side), at, 1), f);
   }
 }
 

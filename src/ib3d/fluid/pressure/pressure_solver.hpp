@@ -18,8 +18,8 @@ struct PressureOptions {
 
 class PressureSolver {
  public:
-  /// Throws CaseError("pressure.solver") for an unknown name, or "pfmg" with refined levels. `transfers` must outlive
-  /// the object. Collective.
+  /// Throws CaseError("pressure.solver") for an unknown name, or "pfmg" with refined levels. `grid` and
+  /// `transfers` must outlive the object. Collective.
   PressureSolver(const Hierarchy& grid, const std::vector<Opening>& openings, const PressureOptions& options,
                  std::vector<CoarseFine>& transfers);
   CompositePressure& problem() { return problem_; }

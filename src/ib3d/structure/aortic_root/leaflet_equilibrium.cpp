@@ -157,7 +157,8 @@ class Relaxation {
 
   void update_force()
   {
-    fibre_force(lattice_.network, X_, F_);
+    std::fill(F_.begin(), F_.end(), Vec3{0.0, 0.0, 0.0});
+    add_fibre_force(lattice_.network, X_, F_);
     add_pressure(lattice_, pressure_, X_, F_);
     add_contact(lattice_, area_, X_, F_);
     for (std::size_t i = 0; i < X_.size(); ++i)

@@ -1,6 +1,5 @@
 #include "ib3d/structure/fibres/fibre_force.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "ib3d/structure/fibres/beam.hpp"
@@ -31,9 +30,8 @@ void add_beam_force(const Beams& beams, std::span<const Vec3> X, double sign, st
 
 }  // namespace
 
-void fibre_force(const FibreNetwork& network, std::span<const Vec3> X, std::span<Vec3> F)
+void add_fibre_force(const FibreNetwork& network, std::span<const Vec3> X, std::span<Vec3> F)
 {
-  std::fill(F.begin(), F.end(), Vec3{0.0, 0.0, 0.0});
   const Springs& springs = network.springs;
   for (std::size_t n = 0; n < springs.a.size(); ++n) {
     const std::size_t a = at(springs.a[n]), b = at(springs.b[n]);
@@ -75,10 +73,9 @@ double fibre_energy(const FibreNetwork& network, std::span<const Vec3> X)
   return energy;
 }
 
-void fibre_stiffness_times(const FibreNetwork& network, std::span<const Vec3> X, std::span<const Vec3> v,
-                           std::span<Vec3> Kv, SlackSprings slack)
+void add_fibre_stiffness_times(const FibreNetwork& network, std::span<const Vec3> X, std::span<const Vec3> v,
+                               std::span<Vec3> Kv, SlackSprings slack)
 {
-  std::fill(Kv.begin(), Kv.end(), Vec3{0.0, 0.0, 0.0});
   const Springs& springs = network.springs;
   for (std::size_t n = 0; n < springs.a.size(); ++n) {
     const std::size_t a = at(springs.a[n]), b = at(springs.b[n]);

@@ -13,8 +13,8 @@
 
 namespace valsalva::ib3d {
 
-/// Overwrites F (node_count entries, dyn) with the elastic force at the positions X (node_count entries, cm).
-void fibre_force(const FibreNetwork& network, std::span<const Vec3> X, std::span<Vec3> F);
+/// F += the elastic force (dyn) at the positions X (cm), node_count entries each.
+void add_fibre_force(const FibreNetwork& network, std::span<const Vec3> X, std::span<Vec3> F);
 
 /// Elastic energy at X, dyn cm.
 double fibre_energy(const FibreNetwork& network, std::span<const Vec3> X);
@@ -23,8 +23,8 @@ double fibre_energy(const FibreNetwork& network, std::span<const Vec3> X);
 /// their line (a bound on what the next instant can bring, for the stable step).
 enum class SlackSprings { loose, just_taut };
 
-/// Overwrites Kv with the action of the tangent stiffness at X on the displacement v.
-void fibre_stiffness_times(const FibreNetwork& network, std::span<const Vec3> X, std::span<const Vec3> v,
-                           std::span<Vec3> Kv, SlackSprings slack = SlackSprings::loose);
+/// Kv += the action of the tangent stiffness at X on the displacement v.
+void add_fibre_stiffness_times(const FibreNetwork& network, std::span<const Vec3> X, std::span<const Vec3> v,
+                               std::span<Vec3> Kv, SlackSprings slack = SlackSprings::loose);
 
 }  // namespace valsalva::ib3d

@@ -4,16 +4,13 @@
 //   beam     E = rigidity |(X2 - X1)/l2 - (X1 - X0)/l1|^2 / (l1 + l2), rigidity in dyn cm^2, l1, l2 the
 //            reference lengths of its two sides (cm): second order on unevenly spaced nodes
 //   tether   F = stiffness (target - X), stiffness in dyn/cm
-// The same type serves the whole structure (replicated) and one rank's part of it (`FibrePart`).
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <span>
-#include <string>
 #include <vector>
 
-#include "common/vec3.hpp"
+#include "ib3d/structure/elastic_model.hpp"
 
 namespace valsalva::ib3d {
 
@@ -63,13 +60,7 @@ struct Tethers {
   int count() const { return static_cast<int>(node.size()); }
 };
 
-/// Nodes [first, last) that belong together, e.g. "wall", "leaflet 1".
-struct NodeGroup {
-  std::string name;
-  int first = 0, last = 0;
-};
-
-/// The whole structure, or one rank's part of it.
+/// The whole structure, or one rank's part of it (`FibreModel::part`).
 struct FibreNetwork {
   std::vector<Vec3> X;  ///< node positions at the start, cm
   Springs springs;
@@ -79,19 +70,5 @@ struct FibreNetwork {
   std::vector<std::vector<int>> free_edges;  ///< per leaflet, node numbers from commissure to commissure
   int node_count() const { return static_cast<int>(X.size()); }
 };
-
-/// One rank's part: `network` in local numbers, `global[i]` the global number of local node i; the first
-/// `owned` nodes are the rank's own, the rest are copies needed by its springs and beams.
-struct FibrePart {
-  FibreNetwork network;
-  std::vector<int> global;
-  int owned = 0;
-};
-
-/// The part of `whole` that computes the exact forces on the nodes `owned_nodes` (global numbers, in the
-/// order wanted for the local numbering): every spring, beam and tether that touches one of them, in the
-/// whole's order, so that the forces on owned nodes equal the whole's to the last bit. Forces on copies are
-/// incomplete; groups and free edges stay with the whole.
-FibrePart restrict_to(const FibreNetwork& whole, std::span<const int> owned_nodes);
 
 }  // namespace valsalva::ib3d

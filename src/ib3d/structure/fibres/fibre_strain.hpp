@@ -1,9 +1,8 @@
 // How far a fibre network is strained: e = l/l0 - 1 of its springs (slack tension-only springs count as 0)
-// and the distance of tethered nodes from their targets (cm). For probes and reports.
+// and the distance of tethered nodes from their targets (cm); NaN where a position is. For probes and reports.
 #pragma once
 
 #include <span>
-#include <string_view>
 
 #include "ib3d/structure/fibres/fibre_network.hpp"
 
@@ -23,14 +22,7 @@ struct Strain {
 Strain fibre_strain(const FibreNetwork& network, std::span<const Vec3> X, const NodeGroup& group,
                     SpringFamily family = SpringFamily::all);
 
-/// Largest |target - X| over the tethers of nodes in `group`, cm.
-double largest_tether_displacement(const FibreNetwork& network, std::span<const Vec3> X,
-                                   const NodeGroup& group);
-
-/// The same over all tethers.
+/// Largest |target - X| over the tethers, cm.
 double largest_tether_displacement(const FibreNetwork& network, std::span<const Vec3> X);
-
-/// The group of that name, or null.
-const NodeGroup* find_group(const FibreNetwork& network, std::string_view name);
 
 }  // namespace valsalva::ib3d
