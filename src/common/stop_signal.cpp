@@ -11,7 +11,7 @@ volatile std::sig_atomic_t g_stop = 0;
 void note_signal(int number)
 {
   g_stop = 1;
-  std::signal(number, SIG_DFL);
+  if (number == SIGINT) std::signal(number, SIG_DFL);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A polite end: SIGINT (Ctrl-C) and SIGTERM set a flag that the time loop reads between steps; a second
-// signal ends the program at once.
+// A polite end: SIGINT (Ctrl-C) and SIGTERM set a flag that the time loop reads between steps. A second SIGINT ends
+// the program at once; a second SIGTERM does not, since launchers repeat what a batch system has sent to all already.
 #pragma once
 
 namespace valsalva::common {
