@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Sets runs and measured beats side by side: compare_runs.py RUN [RUN ...] [--data FILE.csv] [--out DIR] [--html].
+"""Compares runs and measured beats: compare_runs.py RUN [RUN ...] [--data FILE.csv] [--out DIR] [--html].
 
-Prints a table of the last beats' numbers and writes it into DIR as metrics.txt, .csv and .md, the traces, shifted to a
-common opening of the valve, as traces.png and .svg, and with --html all of it as one page, compare.html.
+Prints a table of the statistics of the last beats and writes it into DIR as metrics.txt, .csv and .md. Draws the traces,
+aligned at the opening of the valve, as traces.png and .svg. With --html also writes one page, compare.html.
 """
 import argparse
 import sys
@@ -15,25 +15,25 @@ from reporting import comparison, page  # noqa: E402
 
 
 def distinct_names(folders):
-    """As much of every path's end as tells it from the others."""
+    """The shortest path endings that distinguish the folders."""
     parts = [folder.resolve().parts for folder in folders]
     depth = next((n for n in range(1, 20) if len({p[-n:] for p in parts}) == len(parts)), 1)
     return ["/".join(p[-depth:]) for p in parts]
 
 
 def html(beats, table, runs, out):
-    """The page of a comparison; leaflets where a run's report has drawn them."""
+    """The page of a comparison; leaflets appear if the report of a run has drawn them."""
     leaflets = [page.figure(run / "pictures" / "leaflets_above_column.png", beat.name, "Leaflets from the aorta.")
                 for run, beat in zip(runs, beats) if (run / "pictures" / "leaflets_above_column.png").is_file()]
     head = ["", *(b.name for b in beats)]
     title = "Comparison of " + ", ".join(head[1:])
     return page.page(title, "".join([
         f"<h1>{page.text(title)}</h1>",
-        page.section("Numbers", page.sentences([f"The last beat of each; per cent: difference from {head[1]}."]),
+        page.section("Statistics", page.sentences([f"Last beat of each. Percentages are differences from {head[1]}."]),
                      page.grid([page.table(head, [[f"{row[0]}, {row[1]}", *comparison.cells(row)] for row in table],
                                            "side"),
                                 page.figure(out / "traces_column.svg", "Last beats",
-                                            "Shifted in time so that all valves open together.")])),
+                                            "Shifted in time so that all valves open at the same instant.")])),
         page.section("Leaflets", page.grid(leaflets)),
     ]))
 
@@ -61,7 +61,7 @@ def main():
     parser.add_argument("runs", nargs="+", type=Path, help="output folders of runs")
     parser.add_argument("--data", action="append", default=[], type=Path, help="measured beat")
     parser.add_argument("--out", type=Path, default=Path("out/compare"), help="folder for tables and pictures")
-    parser.add_argument("--html", action="store_true", help="write one page with all of it as well")
+    parser.add_argument("--html", action="store_true", help="also write everything as one page")
     arguments = parser.parse_args()
     try:
         compare(arguments.runs, arguments.data, arguments.out, arguments.html)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws the picture of a fit: draw_fit.py OUT writes OUT/fit.png and fit.svg, data and model above their residuals."""
+"""Draws a fit: draw_fit.py OUT writes OUT/fit.png and fit.svg, data and model above, residuals below."""
 import json
 import sys
 from pathlib import Path
@@ -13,7 +13,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 
 def label_of(signal):
-    """'p_ao_mmHg' -> 'pressure (mmHg)'; other columns keep their name."""
+    """'p_ao_mmHg' -> 'pressure (mmHg)', 'Q_ao_ml_s' -> 'flow (ml/s)'; other columns keep their name."""
     if signal.endswith("_mmHg"):
         return "pressure (mmHg)"
     return "flow (ml/s)" if signal.endswith("_ml_s") else signal
@@ -53,7 +53,7 @@ def main():
     try:
         draw(Path(sys.argv[1]))
     except Missing as missing:
-        print(f"fit: left out, {missing}")
+        print(f"fit: skipped, {missing}")
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Writes the gallery of cases from their output folders: draw_gallery.py OUT [OUT ...] [--docs DIR].
 
-Draws DIR/pictures/gallery/<name of the folder>.png for every run and writes DIR/gallery.md with the numbers of their
-last beats. The first run is the one that the others are compared with:
+Draws DIR/pictures/gallery/<name of the folder>.png for every run and writes DIR/gallery.md with the statistics of their
+last beats. The others are compared with the first run:
 
     for c in healthy_adult hypertension stiff_aorta exercise aortic_stenosis aortic_regurgitation; do
       scripts/run cases/$c
@@ -22,8 +22,8 @@ from reporting import gallery  # noqa: E402
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("runs", nargs="+", type=Path, help="output folders, named as their cases")
-    parser.add_argument("--docs", type=Path, default=ROOT / "docs", help="folder of the page")
+    parser.add_argument("runs", nargs="+", type=Path, help="output folders, named after their cases")
+    parser.add_argument("--docs", type=Path, default=ROOT / "docs", help="folder of gallery.md")
     arguments = parser.parse_args()
     style.apply()
     try:

@@ -1,9 +1,8 @@
 #!/usr/bin/python3
 """Draws the pictures of a run: draw_run.py OUT [OUT ...] writes OUT/pictures/*.png.
 
-flow_and_pressure, probes, leaflets_above, leaflets_side, midplane, markers, step, centre_line, closing_ring, pv_loop; some
-also as .svg. Needs no display and can be called while the run goes on. A picture whose input is not there is left out;
-a line says why.
+flow_and_pressure, probes, leaflets_above, leaflets_side, midplane, markers, step, centre_line, closure, pv_loop; some also
+as .svg. Needs no display and also works during a run. A picture whose input is missing is skipped with a message.
 """
 import argparse
 import sys
@@ -22,10 +21,10 @@ PICTURES = [
     ("markers", markers.draw),
     ("step", steps.draw),
     ("centre_line", centre_line.draw),
-    ("closing_ring", closing.draw),
+    ("closure", closing.draw),
     ("pv_loop", pv_loop.draw),
 ]
-COLUMNS = [  # what the report shows: as wide as one column
+COLUMNS = [  # for the report: at the width of one column
     ("flow_and_pressure_column", traces.draw_column),
     ("probes_column", lambda out, pictures: probes.draw(out, pictures, style.COLUMN_WIDTH, "probes_column")),
     ("leaflets_above_column, leaflets_side_column", leaflets.draw_columns),
@@ -37,24 +36,24 @@ COLUMNS = [  # what the report shows: as wide as one column
 
 
 def draw_all(out, pictures, wanted, quiet=False):
-    """Draws what can be drawn of the `wanted` pictures of the run in `out`; returns how many failed. `quiet`: tells only
-    of those."""
+    """Draws those of the `wanted` pictures of the run in `out` whose input exists. Returns the number of failures.
+    `quiet`: reports only failures."""
     pictures.mkdir(exist_ok=True)
     failed = 0
-    drawn, left_out = [], []
+    drawn, skipped = [], []
     for name, draw in wanted:
         try:
             draw(out, pictures)
             drawn.append(name)
         except Missing as missing:
-            left_out.append(f"{name} ({missing})")
+            skipped.append(f"{name} ({missing})")
         except (OSError, KeyError, ValueError, IndexError) as error:
             failed += 1
             print(f"{name}: failed, {type(error).__name__}: {error}", file=sys.stderr)
     if not quiet:
         print(f"pictures: {', '.join(drawn)} in {pictures}")
-        if left_out:
-            print(f"left out: {'; '.join(left_out)}")
+        if skipped:
+            print(f"skipped: {'; '.join(skipped)}")
     return failed
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Writes the manual pages docs/elements/<type>.md: circuit and equations from the head of the element's header, its keys
-from docs/keys.md. A test holds the pages against this.
+"""Writes the manual pages docs/elements/<type>.md: circuit and equations from the comment at the top of the element's
+header, keys from docs/keys.md. A test checks that the pages are up to date.
 
     element_pages.py ROOT [--check]       --check writes nothing; exit code 1 if a page is out of date
 """
@@ -10,7 +10,7 @@ import sys
 
 
 def head_comment(header):
-    """The comment at the top of a header, without its slashes."""
+    """The comment at the top of a header, without the slashes."""
     lines = []
     for line in header.read_text().splitlines():
         if not line.startswith("//"):
@@ -21,17 +21,17 @@ def head_comment(header):
 
 def header_of(root, element_type):
     """windkessel3 and windkessel4 share windkessel.hpp."""
-    return root / "src" / "lumped" / "elements" / (re.sub(r"\d$", "", element_type) + ".hpp")
+    return next((root / "src" / "lumped").rglob(re.sub(r"\d$", "", element_type) + ".hpp"))
 
 
 def pages(root):
-    """Text of every page by the name of its element type, in the order of docs/keys.md."""
+    """(element type, text of its page), in the order of docs/keys.md."""
     keys = (root / "docs" / "keys.md").read_text()
     sections = re.findall(r'^### `type = "(\w+)"`\n(.*?)(?=^##|\Z)', keys, re.MULTILINE | re.DOTALL)
     for element_type, table in sections:
         header = header_of(root, element_type)
         yield element_type, (f"# {element_type}\n\nWritten by `scripts/element_pages.py` from "
-                             f"[{header.name}](../../src/lumped/elements/{header.name}) and [keys.md](../keys.md).\n\n"
+                             f"[{header.name}](../../{header.relative_to(root)}) and [keys.md](../keys.md).\n\n"
                              f"```\n{head_comment(header)}\n```\n\n## Keys\n{table.rstrip()}\n")
 
 
@@ -46,7 +46,7 @@ def main(root, check):
             folder.mkdir(exist_ok=True)
             page.write_text(text)
     if check and stale:
-        print(f"docs/elements: {', '.join(stale)} out of date; repair with\nscripts/element_pages.py .")
+        print(f"docs/elements: {', '.join(stale)} out of date; update them with\nscripts/element_pages.py .")
     return 1 if check and stale else 0
 
 

@@ -1,8 +1,8 @@
-"""The standard view of a run in ParaView 5.11: wall translucent, leaflets by strain, speed on the plane through the
-axis, markers by group, with the times of the run.
+"""The standard view of a run in ParaView 5.11: translucent wall, leaflets coloured by strain, speed on the plane through
+the axis, markers coloured by group, with the times of the run.
 
-    pvpython scripts/paraview_view.py OUT -o view.png [--time S]     draws (without a display: xvfb-run -a pvpython ...)
-    VALSALVA_RUN=OUT paraview --script=scripts/paraview_view.py      opens the view to work on
+    pvpython scripts/paraview_view.py OUT -o view.png [--time S]     a picture (without a display: xvfb-run -a pvpython ...)
+    VALSALVA_RUN=OUT paraview --script=scripts/paraview_view.py      interactive
 """
 import argparse
 import os
@@ -11,12 +11,12 @@ from pathlib import Path
 from paraview import simple as pv
 
 SPEED = [0.0, 1.0, 1.0, 1.0, 0.25, 0.99, 0.89, 0.65, 0.5, 0.95, 0.51, 0.31, 0.75, 0.71, 0.21, 0.48, 1.0, 0.29, 0.1, 0.47]
-LAYER = 0.2  # cm of markers that are shown
+LAYER = 0.2  # cm: thickness of the layer of markers that is shown
 MARKER_COLORS = [[0.78, 0.27, 0.24], [0.18, 0.43, 0.70], [0.95, 0.60, 0.25], [0.23, 0.56, 0.36]]
 
 
 def open_series(out, name):
-    """The reader of out/name, or None where the run has none."""
+    """The reader of out/name, or None if the run has no such file."""
     path = Path(out, name)
     return pv.OpenDataFile(str(path)) if path.is_file() else None
 
@@ -39,7 +39,7 @@ def show_wall(out, view):
 
 
 def color_by(display, array):
-    """Colours a display by (association, name[, component]); returns the array's colour map."""
+    """Colours a display by (association, name[, component]); returns the colour map of the array."""
     pv.ColorBy(display, array)
     return pv.GetColorTransferFunction(array[1])
 
@@ -60,7 +60,7 @@ def show_leaflets(out, view):
     colors = color_by(display, ("CELLS", "strain"))
     colors.ApplyPreset("Viridis (matplotlib)", True)
     colors.RescaleTransferFunction(0.0, 0.15)
-    show_bar(display, view, colors, "strain of the fibres", "Upper Right Corner")
+    show_bar(display, view, colors, "fibre strain", "Upper Right Corner")
 
 
 def show_speed(out, view):
@@ -84,7 +84,7 @@ def show_markers(out, view):
     markers = open_series(out, "structure/markers.hdf.series")
     if markers is None:
         return
-    # a layer in front of the plane through the axis, which hides the rest
+    # only a layer in front of the plane through the axis; the plane hides the rest
     markers.UpdatePipeline()
     bounds = markers.GetDataInformation().GetBounds()
     axis = 0.5 * (bounds[2] + bounds[3])
@@ -103,7 +103,7 @@ def show_markers(out, view):
 
 
 def build(out, time=None):
-    """The view of the run in `out` at `time` (s; None: the last), with every part that the run has."""
+    """The view of the run in `out` at `time` (s; None: the last), with all parts that the run has."""
     view = pv.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [1400, 700]
     view.UseColorPaletteForBackground = 0
@@ -115,12 +115,12 @@ def build(out, time=None):
     scene.UpdateAnimationUsingDataTimeSteps()
     times = list(pv.GetTimeKeeper().TimestepValues or [0.0])
     scene.AnimationTime = times[-1] if time is None else min(times, key=lambda t: abs(t - time))
-    # the vessel from left to right, seen from the side and a little from above
+    # the vessel from left to right, seen from the side and slightly from above
     view.CameraFocalPoint, view.CameraViewUp = [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]
     view.CameraPosition = [0.25, 1.0, 0.0]
     view.CameraParallelProjection = 1
     pv.ResetCamera(view)
-    view.CameraParallelScale *= 0.52  # the vessel fills the width, the box does not matter
+    view.CameraParallelScale *= 0.52  # the vessel fills the width; the box may be clipped
     pv.Render(view)
     return view
 
@@ -128,11 +128,11 @@ def build(out, time=None):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out", nargs="?", default=os.environ.get("VALSALVA_RUN"), help="output folder of a run")
-    parser.add_argument("-o", "--picture", type=Path, help="write this picture and end")
-    parser.add_argument("--time", type=float, help="s; the nearest time of the files (default: the last)")
+    parser.add_argument("-o", "--picture", type=Path, help="write this picture and exit")
+    parser.add_argument("--time", type=float, help="time in s; the nearest frame is used (default: the last)")
     arguments = parser.parse_args()
     if not arguments.out or not Path(arguments.out, "fields").is_dir():
-        parser.error(f"{arguments.out}: no output folder of a run; name one, or set VALSALVA_RUN")
+        parser.error(f"{arguments.out}: not the output folder of a run; name one or set VALSALVA_RUN")
     view = build(arguments.out, arguments.time)
     if arguments.picture:
         pv.SaveScreenshot(str(arguments.picture), view)

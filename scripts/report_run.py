@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Writes the report of a run: report_run.py OUT writes OUT/report.html and what it shows into OUT/pictures.
+"""Writes the report of a run: report_run.py OUT writes OUT/report.html and its pictures into OUT/pictures.
 
-One page with everything inside, which opens from the file system and prints; also pictures/valve.gif. Can be called
-while the run goes on. What a run does not have (a 0D run has no leaflets) is left out.
+The page is self-contained: it opens from the file system and prints. Also writes pictures/valve.gif. Works during a run.
+Sections that a run cannot fill are omitted (a 0D run has no leaflets).
 """
 import argparse
 import sys

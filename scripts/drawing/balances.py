@@ -1,4 +1,4 @@
-"""balances: what entered the 3D domain and did not leave it, and the flow that by-passed the valve's probes."""
+"""balances: mass-balance error of the 3D domain, and flow through the probe discs minus that through the outlet."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -26,7 +26,7 @@ def draw(out, pictures):
     t = table["t_s"]
     figure, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(style.COLUMN_WIDTH, 3.4))
     above.plot(t, 1e3 * integral(t, inflow - outflow), color=style.INK)
-    above.set_ylabel("entered minus\nleft (µl)")
+    above.set_ylabel("mass-balance\nerror (µl)")
     try:
         probes = read_table(out / "probes.csv")
         q = main_flow(table)[1]

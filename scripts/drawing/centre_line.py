@@ -1,4 +1,4 @@
-"""centre_line: pressure along the vessel's axis at four instants: closed, opening, peak flow, closed again."""
+"""centre_line: pressure along the axis of the vessel at four instants: closed, opening, peak flow, closed again."""
 import itertools
 
 import h5py
@@ -17,7 +17,7 @@ LINES = [("#2f6db3", "-"), ("#3a8f5c", "--"), ("#c8443c", "-"), ("#222222", (0, 
 
 
 def read_line(path, axis=None):
-    """(z, pressure): the mean of the cells around the axis (x, y), from the finest level that is there."""
+    """(z, pressure): the mean of the cells around the axis (x, y), from the finest level available."""
     z, p = np.zeros(0), np.zeros(0)
     with h5py.File(path, "r") as file:
         origin = file["VTKHDF"].attrs["Origin"]
@@ -45,13 +45,13 @@ def draw(out, pictures):
 
 
 def axis_of(out):
-    """(x, y) of the vessel's axis; None without leaflets."""
+    """(x, y) of the axis of the vessel; None without leaflets."""
     structure, _ = structure_and_axis(out)
     return fit_annulus(Fibers(structure[0][1]))[0][:2] if structure else None
 
 
 def draw_lines(out, chosen, pictures, name):
-    """One line per (what, time, path of the fields)."""
+    """Draws one line per (what, time, path of the fields)."""
     axis = axis_of(out)
     figure, axes = plt.subplots(figsize=(style.COLUMN_WIDTH, 3.0))
     for (what, t, path), (color, line) in zip(chosen, LINES):

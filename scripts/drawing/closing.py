@@ -1,6 +1,6 @@
-"""closing_ring: the flow as the valve closes, and again over the ten milliseconds in which it turns fastest.
+"""closure: the flow as the valve closes, and an enlargement of the ten milliseconds around its minimum.
 
-What is smooth in the second panel is resolved in time; a numerical oscillation would show as a saw of single steps.
+A smooth curve in the second panel is resolved in time; a numerical oscillation shows as a sawtooth of single steps.
 """
 import matplotlib.pyplot as plt
 import numpy as np
@@ -13,7 +13,7 @@ NEAR, NEARER = 0.1, 0.01  # s
 
 
 def windows(t, q):
-    """((start, end), (start, end)): after the end of ejection, and around the fastest turn of the flow in it."""
+    """((start, end), (start, end)): after the end of ejection, and around the minimum of the flow in it."""
     peak = int(np.argmax(q))
     below = np.nonzero(q[peak:] < 0)[0]
     if q[peak] <= 0 or not len(below):
@@ -31,11 +31,11 @@ def draw(out, pictures):
     name, q = main_flow(table)
     t = table["t_s"]
     beat = (t >= last_beat(out, table)[0]) & (t <= last_beat(out, table)[1])
-    draw_zooms(t, q, windows(t[beat], q[beat]), style.port_label(name), pictures, "closing_ring")
+    draw_zooms(t, q, windows(t[beat], q[beat]), style.port_label(name), pictures, "closure")
 
 
 def draw_zooms(t, q, spans, label, pictures, name):
-    """The flow over every (start, end) of `spans`, each within the one before."""
+    """Plots the flow over every (start, end) of `spans`, each inside the previous one."""
     figure, axes = plt.subplots(len(spans), 1, figsize=(style.COLUMN_WIDTH, 1.9 * len(spans) + 0.2))
     for panel, (start, end) in zip(axes, spans):
         shown = (t >= start) & (t <= end)
@@ -47,7 +47,7 @@ def draw_zooms(t, q, spans, label, pictures, name):
     axes[-1].set_xlabel("time (ms)")
     for panel, (start, end) in zip(axes, spans[1:]):
         panel.axvspan(1e3 * start, 1e3 * end, color=style.AORTA, alpha=0.15, linewidth=0)
-    axes[-1].text(0.99, 0.9, "every step a dot", transform=axes[-1].transAxes, ha="right", color=style.GREY)
+    axes[-1].text(0.99, 0.9, "one dot per step", transform=axes[-1].transAxes, ha="right", color=style.GREY)
     figure.align_ylabels(axes)
     figure.tight_layout(pad=0.5)
     style.save(figure, pictures, name, "svg")

@@ -8,7 +8,7 @@ FieldBox = namedtuple("FieldBox", "level h lo hi shape cells data")
 
 
 def boxes_of(file):
-    """FieldBox after FieldBox of an open VTKHDF file, coarse to fine."""
+    """Yields the FieldBoxes of an open VTKHDF file, coarse to fine."""
     root = file["VTKHDF"]
     for name in sorted((k for k in root if k.startswith("Level")), key=lambda k: int(k[5:])):
         level, first = root[name], 0
@@ -27,7 +27,7 @@ def values(box, name):
 
 
 def middle_of(file):
-    """The middle (x, y) of the domain, which level 0 covers."""
+    """The centre (x, y) of the domain, which level 0 covers."""
     coarsest = [box for box in boxes_of(file) if box.level == 0]
     last = np.max([box.hi[:2] for box in coarsest], axis=0)
     return file["VTKHDF"].attrs["Origin"][:2] + 0.5 * coarsest[0].h * (last + 1)

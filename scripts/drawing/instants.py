@@ -1,4 +1,4 @@
-"""The instants that tell the story of a beat, found in the flow and the pressures, and the frames nearest to them."""
+"""The characteristic instants of a beat, found in flow and pressures, and the frames nearest to them."""
 import numpy as np
 
 from .run_output import Missing, columns_like, nearest, read_table
@@ -7,7 +7,7 @@ FLOW_NAMES = ("out", "outlet", "aortic_root", "valve", "aortic", "aortic_valve",
 
 
 def main_flow(table):
-    """(name, array) of the flow that stands for ejection."""
+    """(name, array) of the flow that represents ejection."""
     flows = columns_like(table, r"Q_(.+)_ml_s")
     if not flows:
         raise Missing("openings.csv has no column Q_..._ml_s")
@@ -18,7 +18,7 @@ def main_flow(table):
 
 
 def last_beat(out, table):
-    """(start, end) of the last complete beat, or of all there is."""
+    """(start, end) of the last complete beat, or of the whole trace if there is none."""
     t = table["t_s"]
     try:
         beats = read_table(out / "beats.csv")
@@ -29,7 +29,7 @@ def last_beat(out, table):
 
 
 def story(out):
-    """[(what, time)] of the last beat: as many of six instants as the run has reached."""
+    """[(what, time)] of the last beat: those of six instants that the run has reached."""
     table = read_table(out / "openings.csv")
     start, end = last_beat(out, table)
     inside = (table["t_s"] >= start) & (table["t_s"] <= end)
@@ -63,9 +63,9 @@ def story(out):
 
 
 def choose_frames(out, frames, wanted=None):
-    """[(what, time, path)]: the frames nearest to the story's instants (those in `wanted`, or all), no frame twice.
+    """[(what, time, path)]: the frames nearest to the instants of `story` (those in `wanted`, or all), without repeats.
 
-    Without a flow the frames are spread evenly over the run.
+    Without a flow the frames are spaced evenly over the run.
     """
     try:
         instants = story(out)

@@ -1,4 +1,4 @@
-"""leaflets_above, leaflets_side: the leaflets' fibres at the instants of the beat, in parallel projection."""
+"""leaflets_above, leaflets_side: the fibres of the leaflets at the instants of the beat, in parallel projection."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -17,14 +17,14 @@ def draw(out, pictures):
 
 
 def draw_columns(out, pictures):
-    """leaflets_above_column, leaflets_side_column: the same, as wide as one column."""
+    """leaflets_above_column, leaflets_side_column: the same at the width of one column."""
     scenes, frames = _scenes(out)
     for view, scene in scenes.items():
         draw_panels(scene, frames, pictures, f"leaflets_{view}_column", 2, style.COLUMN_WIDTH)
 
 
 def _scenes(out):
-    """({view: Scene}, [(what, time, Fibers)])"""
+    """({view: Scene}, [(what, time, fibres)])"""
     frames = [(what, t, Fibers(path)) for what, t, path in choose_frames(out, leaflet_frames(out))]
     if not any(f.groups_like("leaflet") for _, _, f in frames):
         raise Missing("the files in structure/ have no group named leaflet")
@@ -33,7 +33,7 @@ def _scenes(out):
 
 
 def draw_panels(scene, frames, pictures, name, most_columns=3, page_width=style.PAGE_WIDTH):
-    """One panel per (what, time, Fibers)."""
+    """Draws one panel per (what, time, fibres)."""
     size = scene.size
     columns = min(most_columns, len(frames))
     rows = -(-len(frames) // columns)
@@ -54,7 +54,7 @@ def draw_panels(scene, frames, pictures, name, most_columns=3, page_width=style.
 
 
 def _draw_scale(panel, scene):
-    """One centimetre."""
+    """Draws a scale bar of one centimetre."""
     x, y = scene.low[0] + 0.08, scene.low[1] + 0.01
     panel.plot([x, x + 1], [y, y], color=style.INK, linewidth=1.4, solid_capstyle="butt")
     panel.text(x + 0.5, y + 0.02, "1 cm", ha="center", va="bottom", fontsize=7.5)

@@ -13,7 +13,7 @@ AFTER_OPENING = 0.04  # s
 
 
 class Markers:
-    """Points (n, 3) in cm and the name of the group of each, of one file."""
+    """The markers of one file: points (n, 3) in cm and the group of each."""
 
     def __init__(self, path):
         with h5py.File(path, "r") as file:
@@ -23,7 +23,7 @@ class Markers:
             self.names = (names.decode() if isinstance(names, bytes) else str(names)).split("\n")
 
     def kinds(self):
-        """{what the name of a group begins with, up to a comma: numbers of its groups}"""
+        """{group name up to a comma: numbers of its groups}"""
         kinds = {}
         for number, name in enumerate(self.names):
             kinds.setdefault(name.partition(",")[0], []).append(number)
@@ -94,7 +94,7 @@ def _draw_panel(panel, markers, cut, wall, y, size):
 
 
 def _name_kinds(panel, markers):
-    """The kinds' names in their colours, right above the panel."""
+    """Writes the names of the kinds in their colours above the panel, right-aligned."""
     at = 1.0
     for kind, color in reversed(_colors(markers).items()):
         words = panel.text(at, 1.03, kind, transform=panel.transAxes, color=color, ha="right")

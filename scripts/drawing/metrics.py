@@ -1,6 +1,6 @@
-"""The numbers of one beat: what they are called, what a resting adult has, and how they follow from a trace.
+"""The statistics of one beat: their names, their ranges in a resting adult, and their computation from a trace.
 
-A run writes them itself (beats.csv, docs/outputs.md); here they are computed for traces that come from elsewhere.
+A run writes them itself (beats.csv, docs/outputs.md); this module computes them for traces from elsewhere.
 """
 from collections import namedtuple
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from .run_output import Missing, read_table
 
-Metric = namedtuple("Metric", "column label form unit low high")  # low, high: a resting adult, None: no limit
+Metric = namedtuple("Metric", "column label form unit low high")  # low, high: range of a resting adult, None: no limit
 METRICS = [
     Metric("stroke_volume_ml", "stroke volume", "{:.1f}", "ml", 70, 100),
     Metric("forward_volume_ml", "forward volume", "{:.1f}", "ml", None, None),
@@ -17,31 +17,31 @@ METRICS = [
     Metric("peak_flow_ml_s", "peak flow", "{:.0f}", "ml/s", 400, 650),
     Metric("ejection_time_s", "ejection time", "{:.3f}", "s", 0.25, 0.32),
     Metric("mean_gradient_mmHg", "mean gradient", "{:.1f}", "mmHg", None, 6),
-    Metric("max_orifice_area_cm2", "largest orifice", "{:.2f}", "cm²", 3, 4),
+    Metric("max_orifice_area_cm2", "maximum orifice area", "{:.2f}", "cm²", 3, 4),
     Metric("p_ao_systolic_mmHg", "aorta, systolic", "{:.0f}", "mmHg", 90, 130),
     Metric("p_ao_diastolic_mmHg", "aorta, diastolic", "{:.0f}", "mmHg", 60, 85),
     Metric("p_ao_mean_mmHg", "aorta, mean", "{:.0f}", "mmHg", 70, 105),
 ]
 FURTHER = [
-    Metric("least_flow_ml_s", "least flow", "{:.0f}", "ml/s", None, None),
+    Metric("least_flow_ml_s", "minimum flow", "{:.0f}", "ml/s", None, None),
     Metric("mean_leak_ml_s", "mean leak after closure", "{:.2f}", "ml/s", None, None),
     Metric("opening_s", "opening", "{:.3f}", "s", None, None),
     Metric("closing_s", "closing", "{:.3f}", "s", None, None),
     Metric("period_s", "period", "{:.3f}", "s", None, None),
 ]
-REMNANT = 0.05  # of the peak flow: what may swing at the start of a beat
-LONGEST_CLOSING = 0.25  # of the beat: the backflow that closes the valve lies within it
+REMNANT = 0.05  # of the peak flow: residual ringing at the start of a beat stays below it
+LONGEST_CLOSING = 0.25  # of the beat: the closing backflow ends within it
 SHUT_CM2 = 0.05  # an orifice below this counts as shut
 
 
 def known(beat, metrics=METRICS):
-    """[(metric, value)] of those that the beat has as a number; an orifice of 0 is none at all (0D)."""
+    """[(metric, value)] of those that the beat has as a number; an orifice of 0 means that there is none (0D)."""
     found = [(m, beat[m.column]) for m in metrics if m.column in beat and not isinstance(beat[m.column], str)]
     return [(m, v) for m, v in found if np.isfinite(v) and not (m.column == "max_orifice_area_cm2" and v <= 0)]
 
 
 def number(form, value):
-    """The value as `form` writes it, zero without a sign."""
+    """The value formatted by `form`, zero without a sign."""
     words = form.format(value)
     return form.format(0.0) if float(words) == 0 else words
 
@@ -55,8 +55,8 @@ def last_beat_of_run(out):
 
 
 def ejection(t, q):
-    """(opening, end): where q rises through zero before its peak (through 5 % of it if positive from the start) and falls
-    through zero after it."""
+    """(opening, end): where q rises through zero before its peak (through 5 % of the peak if positive from the start) and
+    falls through zero after it."""
     peak = int(np.argmax(q))
     if q[peak] <= 0:
         raise Missing("no forward flow")
@@ -97,7 +97,7 @@ def beat_of_trace(t, q, p_ao=None, p_lv=None):
 
 
 def volume(t, q, start, end):
-    """Trapezoidal integral of q from start to end, which need not be samples."""
+    """Trapezoidal integral of q from start to end, which need not coincide with samples."""
     inside = t[(t > start) & (t < end)]
     nodes = np.concatenate([[start], inside, [end]])
     values = np.interp(nodes, t, q)

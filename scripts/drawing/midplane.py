@@ -1,6 +1,6 @@
-"""midplane: pressure and speed on the plane through the axis (y = the axis'), with the leaflets and the wall cut.
+"""midplane: pressure and speed on the plane of constant y through the axis, with sections of the leaflets and the wall.
 
-On request with the boxes of the grid: the outlines of every refined level.
+Optionally with the outlines of the boxes of every refined level.
 """
 from collections import namedtuple
 
@@ -16,7 +16,7 @@ from .instants import choose_frames
 from .scene import fit_annulus
 from .run_output import Fibers, Missing, leaflet_frames, nearest, read_series, wall_points
 
-INSTANTS = (0, 2, 4, 5)  # of the story: closed, peak flow, closing, closed
+INSTANTS = (0, 2, 4, 5)  # of instants.story: closed, peak flow, closing, closed
 Patch = namedtuple("Patch", "level h z x pressure speed")  # cm; z and x as (low, high); values as [x, z]
 Plane = namedtuple("Plane", "what t patches cut")
 LABELS = {"pressure": "pressure (mmHg)", "speed": "speed (cm/s)"}
@@ -25,10 +25,7 @@ GRID_COLORS = ["#ffffff", "#ffd23f", "#ff4f79", "#ffffff"]
 
 
 def read_plane(path, y=None):
-    """([Patch], y), coarse to fine, on the cells that hold y.
-
-    Without y the middle of the domain.
-    """
+    """([Patch], y), coarse to fine, on the cells that contain y; by default y is the centre of the domain."""
     patches = []
     with h5py.File(path, "r") as file:
         origin = file["VTKHDF"].attrs["Origin"]
@@ -59,14 +56,14 @@ def draw(out, pictures):
 
 
 def draw_columns(out, pictures):
-    """midplane_pressure with the grid and midplane_speed, each as wide as one column."""
+    """midplane_pressure with the grid and midplane_speed, each at the width of one column."""
     planes, wall = read_planes(out, INSTANTS)
     draw_planes(planes, wall, [("pressure", True)], pictures, "midplane_pressure", style.COLUMN_WIDTH)
     draw_planes(planes, wall, [("speed", False)], pictures, "midplane_speed", style.COLUMN_WIDTH)
 
 
 def read_planes(out, instants):
-    """([Plane] at the story's instants, the wall's points near the plane or None)."""
+    """([Plane] at the given instants of `story`, the wall points near the plane or None)."""
     chosen = choose_frames(out, read_series(out / "fields"), instants)
     structure, y = structure_and_axis(out)
     planes = []
@@ -91,7 +88,7 @@ def wall_near(out, y):
 
 
 def draw_planes(planes, wall, columns, pictures, name, page_width=style.PAGE_WIDTH):
-    """One row per plane, one column per (field, whether the grid is drawn)."""
+    """Draws one row per plane and one column per (field, whether the grid is drawn)."""
     rows, first = len(planes), planes[0].patches
     z0, z1 = min(p.z[0] for p in first), max(p.z[1] for p in first)
     x0, x1 = min(p.x[0] for p in first), max(p.x[1] for p in first)
@@ -129,7 +126,7 @@ def _draw_structure(panel, wall, cut):
 
 
 def _draw_grid(panel, patches):
-    """Outlines of the boxes of every level but the coarsest."""
+    """Draws the outlines of the boxes of every level but the coarsest."""
     for patch in patches:
         if patch.level > 0:
             panel.add_patch(Rectangle((patch.z[0], patch.x[0]), np.ptp(patch.z), np.ptp(patch.x), fill=False,
@@ -161,7 +158,7 @@ def cut_at(structure, t, y):
 
 
 def _range(arrays):
-    """Round limits that hold all but the outermost thousandth of the values."""
+    """Round limits that contain all but the outermost thousandth of the values."""
     values = np.concatenate([a.ravel() for a in arrays])
     low, high = np.percentile(values, [0.1, 99.9])
     if high - low < 1e-6:

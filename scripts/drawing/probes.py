@@ -1,4 +1,4 @@
-"""probes: pressure on the centre line, orifice area and largest strains over time."""
+"""probes: pressure on the centre line, orifice area and maximum strains over time."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -33,7 +33,7 @@ def draw(out, pictures, width=style.PAGE_WIDTH, title="probes"):
     if strains:
         for (name, strain), color in zip(strains.items(), [style.LEAFLETS[0], style.GREY] + style.OTHERS):
             axes["strain"].plot(t, 100 * strain, color=color, linewidth=1.0, label=_strain_label(name))
-        axes["strain"].set_ylabel("largest strain (%)")
+        axes["strain"].set_ylabel("maximum strain (%)")
         axes["strain"].legend(loc="upper right")
     last = axes[rows[-1]]
     last.set_xlabel("time (s)")

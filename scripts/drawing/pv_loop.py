@@ -1,4 +1,4 @@
-"""pv_loop: pressure over volume of the ventricle that ejects, where the network has one; earlier beats paler."""
+"""pv_loop: pressure over volume of the ejecting ventricle, if the network has one; earlier beats are paler."""
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""What a run has written, read without assumptions about how far it has come."""
+"""Readers for the output of a run, finished or not."""
 import csv
 import json
 import re
@@ -9,11 +9,11 @@ import numpy as np
 
 
 class Missing(Exception):
-    """An input of a picture is not there; the text says which."""
+    """An input of a picture is missing; the text says which."""
 
 
 def read_table(path):
-    """CSV -> {column: array}; columns with text stay lists of strings. A half-written last row is dropped."""
+    """CSV -> {column: array}; text columns stay lists of strings. An incomplete last row is dropped."""
     path = Path(path)
     if not path.is_file():
         raise Missing(f"no {path.name}")
@@ -34,7 +34,7 @@ def read_table(path):
 
 
 def phase_times(out):
-    """[(phase, seconds, share in %)] from the table at the end of log.txt; empty while there is none."""
+    """[(phase, seconds, share in %)] from the table at the end of log.txt; empty if there is none yet."""
     path = Path(out) / "log.txt"
     log = path.read_text() if path.is_file() else ""
     rows = re.findall(r"^(\S[^\d\n]*?) +([\d.]+) +([\d.]+) +\d+ +[\d.]+$", log.rpartition("\nphase ")[2], re.MULTILINE)
@@ -42,7 +42,7 @@ def phase_times(out):
 
 
 def columns_like(table, pattern):
-    """{first group of the pattern: array} for the columns whose whole name matches, in the order of the file."""
+    """{first group of the pattern: array} for the columns whose full name matches, in file order."""
     found = {}
     for name, values in table.items():
         match = re.fullmatch(pattern, name)
@@ -52,7 +52,7 @@ def columns_like(table, pattern):
 
 
 def read_series(folder, stem=None):
-    """[(time, path)] of a .hdf.series, or of the numbered files where there is none; only files that exist."""
+    """[(time, path)] from a .hdf.series, or from the numbered files if there is none; only files that exist."""
     folder = Path(folder)
     if not folder.is_dir():
         raise Missing(f"no folder {folder.name}/")
@@ -71,7 +71,7 @@ def read_series(folder, stem=None):
 
 
 def nearest(frames, t):
-    """The frame (time, path) nearest to t; the later of two that are equally near to a millisecond."""
+    """The frame (time, path) nearest to t; of two equally near (to a millisecond), the later."""
     return min(frames, key=lambda frame: (round(abs(frame[0] - t), 3), -frame[0]))
 
 
@@ -117,7 +117,7 @@ class Fibers:
 
 
 def leaflet_frames(out):
-    """The frames that show the leaflets: structure/leaflets*.hdf, or files with the whole structure."""
+    """The frames of the leaflets: structure/leaflets*.hdf, or files with the whole structure."""
     folder = Path(out) / "structure"
     try:
         return read_series(folder, "leaflets")

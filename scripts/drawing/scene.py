@@ -1,7 +1,7 @@
 """The leaflets seen in parallel projection, as an image.
 
-Every fibre is a broad pale stroke, which with its neighbours makes a surface, and a little nearer to the eye a thin
-line. All strokes are drawn from far to near, so that near leaflets hide far ones.
+Every fibre is a broad pale stroke, which merges with its neighbours into a surface, and a thin line slightly nearer to the
+eye. All strokes are drawn from far to near, so that near leaflets hide far ones.
 """
 import numpy as np
 from matplotlib.colors import to_rgb
@@ -10,16 +10,16 @@ from PIL import Image, ImageDraw
 from . import style
 
 MARGIN = 0.18  # cm around the drawing
-SAMPLES = 2    # drawn larger by this and scaled down, which smooths the edges
+SAMPLES = 2    # factor of supersampling, which smooths the edges
 
-VIEWS = {  # name: right, up, towards the eye; cm by which surfaces lie behind their lines (more for steep ones)
+VIEWS = {  # name: right, up, towards the eye; distance of surfaces behind their lines in cm (more for steep ones)
     "above": ((1, 0, 0), (0, 1, 0), (0, 0, 1), 0.18),
     "side": ((1, 0, 0), (0, 0, 1), (0, -1, 0), 0.09),
 }
 
 
 def fit_annulus(fibers):
-    """(centre (3), radius) of the circle through the attachment: the leaflets' outline as seen along the axis."""
+    """(centre (3), radius) of the circle through the attachment: the outline of the leaflets seen along the axis."""
     points = leaflet_points(fibers)
     middle = points[:, :2].mean(axis=0)
     angle = np.arctan2(*(points[:, :2] - middle).T[::-1])
@@ -36,10 +36,10 @@ def leaflet_points(fibers):
 
 
 class Scene:
-    """What the images of one view share: the projection, its limits in cm, the annulus and a section of the wall."""
+    """What the images of one view have in common: projection, limits in cm, annulus and a section of the wall."""
 
     def __init__(self, view, frames, wall):
-        """`frames`: the Fibers that are to be seen; `wall`: its points (n, 3) or None."""
+        """`frames`: the structures to be shown; `wall`: its points (n, 3) or None."""
         self.right, self.up, self.eye = (np.array(v, float) for v in VIEWS[view][:3])
         self.delay = VIEWS[view][3]
         self.annulus, radius = fit_annulus(frames[0])
@@ -91,12 +91,12 @@ class Scene:
 
     @staticmethod
     def _spacing(fibers):
-        """Length of a broad stroke's width: the fibres' typical spacing, cm."""
+        """Width of a broad stroke: the typical spacing of the fibres, cm."""
         ends = fibers.points[fibers.lines]
         return float(np.median(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))) if len(ends) else 0.0
 
     def _strokes(self, fibers, scale):
-        """(whether it belongs to the surface, colour, ends in pixels) of every stroke, from far to near."""
+        """(whether it belongs to a surface, colour, ends in pixels) of every stroke, from far to near."""
         depths, colors, pixels = [], [], []
         for number, group in enumerate(fibers.groups_like("leaflet")):
             ends = fibers.points[fibers.lines_of(group)]

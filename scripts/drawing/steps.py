@@ -1,4 +1,4 @@
-"""step: how the run went, from step.csv: time step, CFL number, iterations, divergence, time per step."""
+"""step: time step, CFL number, iterations, divergence and time per step, from step.csv."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -9,7 +9,7 @@ BOUND_COLORS = {"cfl": style.VENTRICLE, "elastic": style.AORTA, "growth": style.
 PANELS = [  # column, label, factor
     ("cfl", "CFL number", 1.0),
     ("iterations", "iterations", 1.0),
-    ("max_divergence_1_s", "largest\ndivergence (1/s)", 1.0),
+    ("max_divergence_1_s", "maximum\ndivergence (1/s)", 1.0),
     ("wall_s", "wall time\nper step (ms)", 1e3),
 ]
 

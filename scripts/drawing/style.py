@@ -1,4 +1,4 @@
-"""The look of all pictures: type, colours, panel letters, saving."""
+"""The style of all pictures: type, colours, panel letters, saving."""
 import matplotlib
 
 matplotlib.use("Agg")
@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
 
 PAGE_WIDTH = 7.1     # inches: two columns of a journal
-COLUMN_WIDTH = 3.5   # inches: one column, and what a telephone shows
+COLUMN_WIDTH = 3.5   # inches: one column, and the width of a phone
 INK = "#222222"
 GREY = "#8a8a8a"
 VENTRICLE, AORTA, FLOW = "#c8443c", "#2f6db3", "#222222"
@@ -51,9 +51,9 @@ def letter(axes, text, x=0.0, y=1.02):
 
 
 def save(figure, folder, name, *formats):
-    """Writes name.png and further formats; each under another name first, so that a viewer sees whole files."""
+    """Writes name.png and further formats, each under a temporary name first, so that viewers see complete files."""
     for suffix in ("png",) + formats:
         part = folder / f".{name}.part.{suffix}"
-        figure.savefig(part, metadata={"Date": None} if suffix == "svg" else None)  # the same run, the same file
+        figure.savefig(part, metadata={"Date": None} if suffix == "svg" else None)  # the same run gives the same file
         part.replace(folder / f"{name}.{suffix}")
     plt.close(figure)

@@ -1,4 +1,4 @@
-"""flow_and_pressure: pressures above, flow below, and the numbers of the last beat beside them."""
+"""flow_and_pressure: pressures above, flow below, and the statistics of the last beat next to them."""
 import itertools
 
 import matplotlib.pyplot as plt
@@ -23,7 +23,7 @@ def draw(out, pictures):
 
 
 def draw_column(out, pictures):
-    """flow_and_pressure_column: the same without the numbers, as wide as one column."""
+    """flow_and_pressure_column: the same without the statistics, at the width of one column."""
     table, beats = _read(out)
     figure, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(style.COLUMN_WIDTH, 4.2),
                                           gridspec_kw={"height_ratios": [1, 1.25]})
@@ -33,7 +33,7 @@ def draw_column(out, pictures):
 
 
 def _read(out):
-    """(openings.csv, beats.csv or None), both cut to the last beats."""
+    """(openings.csv, cut to the last beats; beats.csv or None)."""
     try:
         beats = read_table(out / "beats.csv")
     except Missing:
@@ -57,7 +57,7 @@ def _fill(above, below, out, table, beats):
 
 
 def _last_beats(table, beats, most=4):
-    """The rows from the start of the third beat from the end, where there are more than `most` beats."""
+    """The rows of the last three beats, if there are more than `most`."""
     if not beats or len(beats["start_s"]) <= most:
         return table
     shown = table["t_s"] >= beats["start_s"][-3]
@@ -78,7 +78,7 @@ def _flows(axes, t, flows, main):
     axes.axhline(0, color=style.GREY, linewidth=0.6)
     axes.plot(t, flows[main], color=style.FLOW, linewidth=1.6, label=style.port_label(main))
     for name, q in flows.items():
-        if name != main:  # often the same to a hair: dashes let both be seen
+        if name != main:  # often the same curve: dashes leave both visible
             axes.plot(t, q, color=style.port_color(name, others), linewidth=0.9, dashes=(4, 3),
                       dash_capstyle="butt", label=style.port_label(name))
     axes.set_ylabel("flow (ml/s)")
@@ -92,14 +92,14 @@ def _flows(axes, t, flows, main):
 
 
 def _shade_stroke(axes, out, table):
-    """The area of the last beat's flow, which is its stroke volume."""
+    """Shades the area under the last beat's flow, which is its stroke volume."""
     start, end = last_beat(out, table)
     inside = (table["t_s"] >= start) & (table["t_s"] <= end)
     axes.fill_between(table["t_s"][inside], 0, main_flow(table)[1][inside], color=style.FLOW, alpha=0.10, linewidth=0)
 
 
 def _mark_instants(axes, out, t, q):
-    """Dots with the letters of the leaflets' pictures."""
+    """Draws dots with the letters of the leaflet pictures."""
     try:
         chosen = choose_frames(out, leaflet_frames(out))
     except Missing:

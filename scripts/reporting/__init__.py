@@ -1,1 +1,1 @@
-"""The report of a run as one HTML page; scripts/report_run.py puts it together."""
+"""The report of a run as one HTML page; scripts/report_run.py assembles it."""

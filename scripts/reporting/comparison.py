@@ -1,4 +1,4 @@
-"""Runs and measured beats beside each other: one beat of each, brought to the same instant of opening."""
+"""Runs and measured beats compared: one beat of each, aligned at the opening of the valve."""
 import csv
 import io
 from dataclasses import dataclass, field
@@ -18,13 +18,13 @@ TRACES = [  # name, label, unit
     ("flow", "flow", "ml/s"),
     ("area", "orifice area", "cm²"),
 ]
-# where a difference in per cent says something
+# where a difference in per cent is meaningful
 RELATIVE = {m.label for m in METRICS} - {"closing volume", "leak volume", "mean gradient"}
 
 
 @dataclass
 class Beat:
-    """A beat: its numbers, and its traces over the time since it began; `shift` brings its opening to the first's."""
+    """A beat: its statistics and its traces over the time since its start; `shift` aligns its opening with the first's."""
     name: str
     numbers: dict
     t: np.ndarray
@@ -57,7 +57,7 @@ def beat_of_data(path):
         raise Missing(f"{path.name} has no column t_s")
     t, q = table["t_s"], main_flow(table)[1]
     ends = np.nonzero(q <= 0)[0]
-    if q[0] > 0 and len(ends):  # the record begins during ejection: what it ends with belongs before that
+    if q[0] > 0 and len(ends):  # the record starts during ejection: move its end to the front
         turn = ends[-1]
         period = t[-1] - t[0] + (t[-1] - t[-2])
         table = {c: np.roll(v, -turn) for c, v in table.items() if not isinstance(v, list)}
@@ -73,14 +73,14 @@ def _beat(name, table):
 
 
 def align(beats):
-    """Sets every `shift` so that all open when the first does."""
+    """Sets every `shift` so that all valves open with the first."""
     first = ejection(beats[0].t, beats[0].traces["flow"])[0]
     for beat in beats:
         beat.shift = first - ejection(beat.t, beat.traces["flow"])[0]
 
 
 def rms_difference(beat, reference, trace):
-    """Root mean square of the difference over the time that both cover once aligned; nan if one lacks the trace."""
+    """Rms difference over the time that both beats cover once aligned; nan if one lacks the trace."""
     if trace not in beat.traces or trace not in reference.traces:
         return np.nan
     start, end = max(beat.shift, 0.0), min(beat.t[-1] + beat.shift, reference.t[-1])
@@ -90,7 +90,7 @@ def rms_difference(beat, reference, trace):
 
 
 def rows(beats):
-    """[(label, unit, format, values)] of every number that at least one beat has; nan where one has it not."""
+    """[(label, unit, format, values)] of every quantity that at least one beat has; nan where a beat lacks it."""
     table = []
     for metric in METRICS + FURTHER:
         values = [dict((m.column, v) for m, v in known(b.numbers, [metric])).get(metric.column, np.nan) for b in beats]
@@ -105,7 +105,7 @@ def rows(beats):
 
 
 def cells(row):
-    """The words of a row's values, with the difference from the first in per cent where that says something."""
+    """The values of a row as text, with the difference from the first in per cent where that is meaningful."""
     label, _, form, values = row
     said = []
     for i, value in enumerate(values):
@@ -116,7 +116,7 @@ def cells(row):
 
 
 def as_text(beats, table, markdown=False):
-    """The table with aligned columns, as Markdown or plain."""
+    """The table with aligned columns, as Markdown or plain text."""
     lines = [["", *(b.name for b in beats)]] + [[f"{row[0]}, {row[1]}", *cells(row)] for row in table]
     widths = [max(map(len, column)) for column in zip(*lines)]
     lines = [[line[0].ljust(widths[0])] + [w.rjust(n) for w, n in zip(line[1:], widths[1:])] for line in lines]
@@ -136,7 +136,7 @@ def as_csv(beats, table):
 
 
 def draw(beats, folder, name, width):
-    """The aligned traces over each other."""
+    """Plots the aligned traces in common axes."""
     shown = [t for t in TRACES if any(t[0] in b.traces for b in beats)]
     figure, axes = plt.subplots(len(shown), 1, sharex=True, squeeze=False, figsize=(width, 1.7 * len(shown) + 0.6))
     for panel, (trace, label, unit) in zip(axes[:, 0], shown):
@@ -151,7 +151,7 @@ def draw(beats, folder, name, width):
     names = [b.name for b in beats if b.name in lines]
     axes[0, 0].legend([lines[n] for n in names], names, loc="lower left", bbox_to_anchor=(0, 1.0), borderaxespad=0,
                       ncol=4 if width > style.COLUMN_WIDTH else 2)
-    axes[-1, 0].set_xlabel(f"time since the beat of {beats[0].name} began (s)")
+    axes[-1, 0].set_xlabel(f"time from the start of the beat of {beats[0].name} (s)")
     figure.align_ylabels(axes[:, 0])
     figure.tight_layout(pad=0.6)
     style.save(figure, folder, name, "svg")

@@ -1,4 +1,4 @@
-"""A gallery of runs: per run one card (pressures, flow, the open and the closed valve) and a row of numbers."""
+"""A gallery of runs: one card per run (pressures, flow, the open and the closed valve) and a row of statistics."""
 import tomllib
 
 import matplotlib.pyplot as plt
@@ -19,7 +19,7 @@ COLUMNS = [  # heading, format, value from the numbers of a beat
     ("output (l/min)", "{:.1f}", lambda n: 0.06 * n["stroke_volume_ml"] / n["period_s"]),
     ("peak flow (ml/s)", "{:.0f}", lambda n: n["peak_flow_ml_s"]),
     ("mean gradient (mmHg)", "{:.0f}", lambda n: n["mean_gradient_mmHg"]),
-    ("largest orifice (cm²)", "{:.2f}", lambda n: n["max_orifice_area_cm2"]),
+    ("maximum orifice area (cm²)", "{:.2f}", lambda n: n["max_orifice_area_cm2"]),
     ("backflow (ml)", "{:.0f}", lambda n: n["closing_volume_ml"] + n["leak_volume_ml"]),
     ("aorta, systolic (mmHg)", "{:.0f}", lambda n: n["p_ao_systolic_mmHg"]),
     ("aorta, diastolic (mmHg)", "{:.0f}", lambda n: n["p_ao_diastolic_mmHg"]),
@@ -45,7 +45,7 @@ def table(beats):
 
 
 def common_limits(beats):
-    """{"t" | "p" | "q": (low, high)} that hold for all cards, so that they can be laid side by side."""
+    """{"t" | "p" | "q": (low, high)}: axis limits shared by all cards, so that they can be compared."""
     pressures = np.concatenate([b.traces[name] for b in beats for name in ("p_lv", "p_ao")])
     flows = np.concatenate([b.traces["flow"] for b in beats])
     return {"t": (0, max(b.t[-1] for b in beats)), "p": (min(0, pressures.min()), 1.05 * pressures.max()),
@@ -53,7 +53,7 @@ def common_limits(beats):
 
 
 def draw_card(out, beat, reference, limits, pictures):
-    """pictures/<name of the beat>.png; the reference's traces in grey behind."""
+    """pictures/<name of the beat>.png, with the traces of the reference in grey behind."""
     figure = plt.figure(figsize=(style.PAGE_WIDTH, 2.5))
     left, right = figure.add_gridspec(1, 2, width_ratios=[1.05, 1.5], left=0.09, right=0.995, top=0.93, bottom=0.15,
                                       wspace=0.06)
@@ -82,19 +82,19 @@ def _traces(above, below, beat, colors):
 
 
 def _valves(out):
-    """[(what, Fibers, Scene)]: the valve from above at peak flow and closed."""
+    """[(what, fibres, Scene)]: the valve from above at peak flow and closed."""
     chosen = choose_frames(out, leaflet_frames(out))
     open_, closed = ([frame for frame in chosen if frame[0] == what] for what in ("peak flow", "closed under load"))
     if not open_ or not closed:
-        raise Missing(f"{out} has no open and closed valve")
+        raise Missing(f"{out} has no frames of an open and a closed valve")
     frames = [(f"{what}, {t:.2f} s", Fibers(path)) for what, t, path in (open_[0], closed[-1])]
     scene = Scene("above", [fibers for _, fibers in frames], None)
     return [(what, fibers, scene) for what, fibers in frames]
 
 
 def write(runs, page, pictures):
-    """Cards of the runs' last beats into the folder `pictures`, and the page with the numbers; the first run is the
-    reference."""
+    """Writes the cards of the runs' last beats into the folder `pictures`, and the page with the statistics. The first
+    run is the reference."""
     beats = [comparison.beat_of_run(run, run.name) for run in runs]
     limits = common_limits(beats)
     pictures.mkdir(parents=True, exist_ok=True)
@@ -109,11 +109,11 @@ def write(runs, page, pictures):
 HEAD = """# Gallery
 
 Written by `scripts/draw_gallery.py` from the output folders of runs. Every 3D case extends
-[healthy_adult](../cases/healthy_adult/README.md): the same heart, anatomy and coarse grid, and one thing changed (for exercise, several). The grid
-(10/64) is that of a smoke test: gradients come out too high (compare cases with each other, not with a patient), and the
-numbers change on finer grids. Without a 3D root: [lumped_heart](../cases/lumped_heart/README.md),
-[four_chamber_loop](../cases/four_chamber_loop/README.md).
+[healthy_adult](../cases/healthy_adult/README.md): the same heart, anatomy and coarse grid with one change (several for
+exercise). The grid (10/64) is that of a smoke test. Gradients are too high and all values change on finer grids, so compare
+the cases with each other, not with a patient. Two cases have no 3D root:
+[lumped_heart](../cases/lumped_heart/README.md), [four_chamber_loop](../cases/four_chamber_loop/README.md).
 
-In the pictures: pressures and flow of the beat (grey: {reference}), and the valve seen from the aorta.
+The pictures show pressures and flow of the beat (grey: {reference}) and the valve seen from the aorta.
 
 """

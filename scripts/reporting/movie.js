@@ -1,4 +1,4 @@
-// Shows frame i of the movie; the slider, the button and the arrow keys (on the slider) choose i.
+// Shows frame i of the movie; the slider, the button and the arrow keys (on the slider) select i.
 const movie = JSON.parse(document.getElementById("frames").textContent);
 const slider = document.getElementById("frame"), button = document.getElementById("play");
 let timer = 0;

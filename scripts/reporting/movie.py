@@ -1,7 +1,7 @@
-"""The moving valve: small images of every frame, leaflets from above and from the side and speed on the mid-plane.
+"""The animation of the valve: small images of the leaflets from above and from the side and of the speed on the mid-plane.
 
-The leaflets' images follow the frames in structure/, those of the speed the (rarer) ones in fields/; each leaflets'
-frame is shown with the speed nearest in time.
+Leaflet images follow the frames in structure/, speed images the less frequent ones in fields/. Each leaflet frame is shown
+with the speed frame nearest in time.
 """
 from dataclasses import dataclass, field
 
@@ -28,11 +28,11 @@ class Movie:
     plane: list = field(default_factory=list)        # [Image]
     plane_times: list = field(default_factory=list)
     nearest: list = field(default_factory=list)      # index into plane, one per time
-    fastest: float = 0.0                             # cm/s at the end of the colours
+    fastest: float = 0.0                             # cm/s at the end of the colour scale
 
 
 def film(out):
-    """The movie of the run in `out`, from all its frames or every n-th of them; Missing without leaflets."""
+    """The movie of the run in `out`, from all its frames or every n-th; Missing without leaflets."""
     frames = every_nth(leaflet_frames(out), MOST_FRAMES)
     fibers = [Fibers(path) for _, path in frames]
     if not len(leaflet_points(fibers[0])):
@@ -76,7 +76,7 @@ def _film_plane(out, movie):
 
 
 def _uniform(patches):
-    """(speed [x, z], z range, x range) of all levels on the spacing of the finest."""
+    """(speed [x, z], z range, x range) of all levels at the spacing of the finest."""
     z, x = ((min(getattr(p, d)[0] for p in patches), max(getattr(p, d)[1] for p in patches)) for d in "zx")
     h = min(p.h for p in patches)
     whole = np.zeros([round((b - a) / h) for a, b in (x, z)])
@@ -89,7 +89,7 @@ def _uniform(patches):
 
 
 def save_gif(out, movie, path):
-    """The same in one animated file: both views, the speed, and where in the flow the frame lies."""
+    """Writes an animated GIF: both views, the speed, and a marker on the flow curve."""
     table = read_table(out / "openings.csv")
     t, q = table["t_s"], main_flow(table)[1]
     font = ImageFont.truetype(matplotlib.get_data_path() + "/fonts/ttf/DejaVuSans.ttf", 13)

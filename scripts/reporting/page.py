@@ -1,4 +1,4 @@
-"""HTML of a report: everything inside one file, nothing fetched from anywhere."""
+"""HTML of a report: one self-contained file that loads nothing from outside."""
 import base64
 import html
 import io
@@ -19,7 +19,7 @@ def text(words):
 
 
 def data_uri(image, quality=82):
-    """An image or a picture file as a data: URI; SVG stays SVG, all else becomes WebP."""
+    """An image or a picture file as a data: URI; SVG stays SVG, everything else becomes WebP."""
     if isinstance(image, Path) and image.suffix == ".svg":
         return "data:image/svg+xml;base64," + base64.b64encode(image.read_bytes()).decode()
     if isinstance(image, Path):
@@ -30,7 +30,7 @@ def data_uri(image, quality=82):
 
 
 def figure(image, title, caption):
-    """A picture with `title: caption` below it."""
+    """A picture with title and caption below it."""
     return (f'<figure><img alt="{text(title)}" src="{data_uri(image)}">'
             f"<figcaption><b>{text(title)}.</b> {text(caption)}</figcaption></figure>")
 
@@ -40,12 +40,12 @@ def grid(parts):
 
 
 def columns(figures):
-    """Figures of different heights, one column after the other."""
+    """Figures of different heights, set in columns."""
     return f'<div class="columns">{"".join(figures)}</div>' if figures else ""
 
 
 def section(title, *parts):
-    """A section, or nothing where all its parts are empty."""
+    """A section, or nothing if all its parts are empty."""
     body = "".join(parts)
     return f"<section><h2>{text(title)}</h2>{body}</section>" if body else ""
 
@@ -72,7 +72,7 @@ def bars(rows):
 
 
 def movie_player(movie, t, q):
-    """The scrubber: images of every frame, and the flow q(t) with a cursor; starts at peak flow."""
+    """The player: images of every frame, and the flow q(t) with a cursor; starts at peak flow."""
     start = int(np.argmax(np.interp(movie.times, t, q)))
     across = 1000 * (np.array(movie.times) - t[0]) / (t[-1] - t[0])
     data = {"times": movie.times, "plane_times": movie.plane_times, "nearest": movie.nearest,
@@ -117,7 +117,7 @@ def page(title, body):
 
 
 def write(path, content):
-    """Under another name first, so that a browser sees whole pages only."""
+    """Writes under a temporary name and renames, so that a browser never sees an incomplete page."""
     part = path.with_name(f".{path.name}.part")
     part.write_text(content)
     part.replace(path)

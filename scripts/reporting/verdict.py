@@ -1,16 +1,16 @@
-"""What a run says about the valve and about itself, in sentences and numbers."""
+"""The verdict on a run: what the valve did, and how far the result can be trusted, in sentences and numbers."""
 import numpy as np
 
 from drawing.instants import main_flow
 from drawing.metrics import SHUT_CM2, METRICS, FURTHER, beat_of_trace, known, last_beat_of_run, number
 from drawing.run_output import Missing, columns_like, read_table
 
-LEAST_ML = 1.0    # forward flow of less is no ejection
-COARSE_CM = 0.11  # the valve's numbers still change by a tenth and more on finer grids than this
+LEAST_ML = 1.0    # a smaller forward volume is not an ejection
+COARSE_CM = 0.11  # above this spacing, results on the valve change by a tenth or more on finer grids
 
 
 def beat_of_run(out):
-    """The last beat of the run: of beats.csv, or of what there is while the first beat goes on."""
+    """The last beat of the run: from beats.csv, or from the traces so far during the first beat."""
     beat = last_beat_of_run(out)
     if beat:
         return beat
@@ -20,7 +20,7 @@ def beat_of_run(out):
 
 
 def number_rows(out):
-    """[(label, value with unit, usual range, whether inside or None)] of the last beat."""
+    """[(label, value with unit, range of a resting adult, whether inside or None)] of the last beat."""
     rows = []
     for metric, value in known(beat_of_run(out), METRICS + FURTHER):
         usual, inside = "", None
@@ -33,34 +33,34 @@ def number_rows(out):
 
 
 def valve_sentences(out):
-    """What the valve did in the last beat."""
+    """What the valve did in the last beat, in sentences."""
     beat = beat_of_run(out)
     if beat["forward_volume_ml"] < LEAST_ML:
-        raise Missing("the valve has not let any blood pass yet")
+        raise Missing("no blood has passed the valve yet")
     has_orifice = beat.get("max_orifice_area_cm2", 0) > 0
     opened = f" to {beat['max_orifice_area_cm2']:.1f} cm²" if has_orifice else ""
-    said = [f"The valve opened at {beat['opening_s']:.3f} s{opened} and let {beat['forward_volume_ml']:.1f} ml pass in "
-            f"{beat['ejection_time_s']:.3f} s, at most {beat['peak_flow_ml_s']:.0f} ml/s."]
+    said = [f"The valve opened at {beat['opening_s']:.3f} s{opened} and passed {beat['forward_volume_ml']:.1f} ml in "
+            f"{beat['ejection_time_s']:.3f} s, with a peak flow of {beat['peak_flow_ml_s']:.0f} ml/s."]
     if beat["closing_volume_ml"] != 0 or has_orifice:
-        said.append(f"While it closed {beat['closing_volume_ml']:.1f} ml flowed back; {_leak(beat)}, which leaves a "
-                    f"stroke volume of {beat['stroke_volume_ml']:.1f} ml.")
+        said.append(f"{beat['closing_volume_ml']:.1f} ml regurgitated during closure{_leak(beat)}; net stroke volume "
+                    f"{beat['stroke_volume_ml']:.1f} ml.")
     gap = _gap_at_end(out)
     if has_orifice and gap is not None:
         said.append("At the end its free edges meet." if gap < SHUT_CM2 else
-                    f"At the end {gap:.2f} cm² are left between the free edges, seen from above (below them the "
-                    "leaflets may touch).")
+                    f"At the end a gap of {gap:.2f} cm² remains between the free edges, seen from above (the leaflets "
+                    "may touch below them).")
     outside = [m.label for m, v in known(beat) if (m.low is not None and v < m.low) or
                (m.high is not None and v > m.high)]
-    said.append(f"Outside of what a resting adult has: {', '.join(outside)}." if outside else
-                "All numbers lie in the range of a resting adult.")
+    said.append(f"Outside the range of a resting adult: {', '.join(outside)}." if outside else
+                "All values are within the range of a resting adult.")
     return said
 
 
 def _leak(beat):
     rate = beat.get("mean_leak_ml_s", np.nan)
     if not np.isfinite(rate):
-        return "the beat ended before it was closed"
-    return f"closed, it leaked {rate:.1f} ml/s on average" if rate > 1 else "closed, it held"
+        return " (the beat ended before it was complete)"
+    return f" and {rate:.1f} ml/s on average once closed" if rate > 1 else " and none once closed"
 
 
 def _gap_at_end(out):
@@ -72,20 +72,19 @@ def _gap_at_end(out):
 
 
 def numerics_sentences(out, case):
-    """How well the equations were solved, and what limits the trust in the answer."""
+    """How accurately the equations were solved, and what limits the trust in the result."""
     said = []
     try:
         step = read_table(out / "step.csv")
-        said.append(f"{len(step['t_s']) - 1} steps, {1e6 * np.median(step['dt_s'][1:]):.0f} µs in the middle, largest "
-                    f"CFL number {step['cfl'].max():.2f}; {np.mean(step['iterations'][1:]):.1f} iterations of the "
-                    f"pressure solve per step, largest rms divergence left {step['rms_divergence_1_s'].max():.1g} 1/s.")
+        said.append(f"{len(step['t_s']) - 1} steps with a median of {1e6 * np.median(step['dt_s'][1:]):.0f} µs and a "
+                    f"maximum CFL number of {step['cfl'].max():.2f}; {np.mean(step['iterations'][1:]):.1f} pressure "
+                    f"iterations per step on average; maximum rms divergence {step['rms_divergence_1_s'].max():.1g} 1/s.")
     except (Missing, KeyError, IndexError):
         pass
     beat = last_beat_of_run(out)
     if beat and case.get("opening"):
-        said.append(f"Over the last beat {1e3 * beat['mass_balance_ml']:.2g} µl entered the 3D domain and did not "
-                    "leave it.")
+        said.append(f"Mass-balance error over the last beat: {1e3 * beat['mass_balance_ml']:.2g} µl.")
     h = case.get("grid", {}).get("finest_cm")
     if case.get("opening") and h and h > COARSE_CM:
-        said.append(f"The spacing of {h:.3f} cm is coarse: treat the valve's numbers as those of a smoke test.")
+        said.append(f"The grid spacing of {h:.3f} cm is coarse: treat these results as a smoke test.")
     return said

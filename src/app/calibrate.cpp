@@ -13,20 +13,16 @@ namespace {
 
 int calibrate(run::CalibrateOptions options, Chosen& chosen, const Communicator& comm)
 {
-  CaseArguments of_case;
-  of_case.path = (std::filesystem::path(options.run_dir) / "case.resolved.toml").string();
-  const CaseFile case_file = read_case(of_case);
+  const setup::Case c =
+      setup::read_case((std::filesystem::path(options.run_dir) / "case.resolved.toml").string(), {},
+                       setup::SourceTables::leave_out);
   if (options.out_dir.empty())
     options.out_dir =
         std::filesystem::path(options.run_dir + "/").lexically_normal().parent_path().string() + "-surrogate";
   common::check_output_folder(options.out_dir, options.force, comm);
-  try {
-    const int code = run::calibrate(case_file, options);
-    chosen.afterwards = [out = options.out_dir] { return draw("draw_fit.py", out); };
-    return code;
-  } catch (const CaseError& error) {
-    throw case_file.locate(error);
-  }
+  const int code = with_places(c, [&] { return run::calibrate(c, options, comm); });
+  chosen.afterwards = [out = options.out_dir] { return draw("draw_fit.py", out); };
+  return code;
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
-#include "setup/case_keys.hpp"
 
 namespace valsalva::app {
 
@@ -13,15 +12,11 @@ void add_case_arguments(CLI::App& command, CaseArguments& arguments)
       ->allow_extra_args(false);
 }
 
-std::string case_file_path(const CaseArguments& arguments)
+setup::Case read_case(const CaseArguments& arguments)
 {
   const std::filesystem::path path(arguments.path);
-  return std::filesystem::is_directory(path) ? (path / "case.toml").string() : path.string();
-}
-
-CaseFile read_case(const CaseArguments& arguments)
-{
-  return CaseFile::read(case_file_path(arguments), setup::case_keys(), arguments.overrides);
+  return setup::read_case((std::filesystem::is_directory(path) ? path / "case.toml" : path).string(),
+                          arguments.overrides);
 }
 
 }  // namespace valsalva::app

@@ -17,13 +17,9 @@ void add_check(CLI::App& app, Chosen& chosen)
   add_case_arguments(*command, *arguments);
   command->callback([arguments, &chosen] {
     chosen.action = [arguments](const Communicator& comm) {
-      const CaseFile case_file = read_case(*arguments);
-      try {
-        const std::string lines = run::describe_case(case_file);
-        if (comm.is_rank_0()) fmt::print("{}{}", lines, lines.ends_with('\n') ? "" : "\n");
-      } catch (const CaseError& error) {
-        throw case_file.locate(error);
-      }
+      const setup::Case c = read_case(*arguments);
+      const std::string lines = with_places(c, [&] { return run::describe_case(c, comm); });
+      if (comm.is_rank_0()) fmt::print("{}{}", lines, lines.ends_with('\n') ? "" : "\n");
       return 0;
     };
   });

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "casefile/case_file.hpp"
 #include "common/comm.hpp"
+#include "setup/read_case.hpp"
 
 namespace CLI {
 class App;
@@ -36,8 +36,17 @@ struct CaseArguments {
 
 /// Adds the case and its `--set key=value` to a subcommand.
 void add_case_arguments(CLI::App& command, CaseArguments& arguments);
-CaseFile read_case(const CaseArguments& arguments);
-std::string case_file_path(const CaseArguments& arguments);
+setup::Case read_case(const CaseArguments& arguments);
+/// `work()`, whose refusals get the places of the keys that they name.
+template <class Work>
+auto with_places(const setup::Case& c, Work&& work)
+{
+  try {
+    return work();
+  } catch (const CaseError& error) {
+    throw c.source.locate(error);
+  }
+}
 
 /// Runs /usr/bin/python3 scripts/`name` with the arguments and returns its exit code. Not while MPI is at work.
 int run_script(const std::string& name, std::vector<std::string> arguments);

@@ -16,18 +16,13 @@ struct FitArguments {
 
 int fit(const FitArguments& arguments, Chosen& chosen, const Communicator& comm)
 {
-  const CaseFile case_file = read_case(arguments.of_case);
+  const setup::Case c = read_case(arguments.of_case);
   run::FitOptions options = arguments.options;
-  if (options.out_dir.empty()) options.out_dir = common::usual_output_folder(case_file.path()) + "-fit";
+  if (options.out_dir.empty()) options.out_dir = common::usual_output_folder(c.source.path()) + "-fit";
   common::check_output_folder(options.out_dir, options.force, comm);
-  try {
-    const int code = run::fit_case(case_file, options);
-    if (case_file.section("output").flag("pictures"))
-      chosen.afterwards = [out = options.out_dir] { return draw("draw_fit.py", out); };
-    return code;
-  } catch (const CaseError& error) {
-    throw case_file.locate(error);
-  }
+  const int code = with_places(c, [&] { return run::fit_case(c, options, comm); });
+  if (c.output.pictures) chosen.afterwards = [out = options.out_dir] { return draw("draw_fit.py", out); };
+  return code;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/commands.hpp"
-#include "setup/case_keys.hpp"
+#include "setup/keys.hpp"
 
 namespace valsalva::app {
 

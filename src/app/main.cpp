@@ -71,10 +71,10 @@ int main(int argc, char** argv)
   common::start_mpi(&argc, &argv);
   app::Chosen chosen;
   int code = 0;
-  bool is_root = true;
+  bool is_rank_0 = true;
   {
-    const Communicator comm;
-    is_root = comm.is_rank_0();
+    const Communicator comm(MPI_COMM_WORLD);
+    is_rank_0 = comm.is_rank_0();
     CLI::App app(kAbout);
     app.footer(kFurther);
     app.set_version_flag("--version",
@@ -91,6 +91,6 @@ int main(int argc, char** argv)
     if (code < 0) code = common::end_together(comm, [&] { return chosen.action ? chosen.action(comm) : 0; });
   }
   MPI_Finalize();
-  if (is_root && code == 0 && chosen.afterwards) code = chosen.afterwards();
+  if (is_rank_0 && code == 0 && chosen.afterwards) code = chosen.afterwards();
   return code;
 }

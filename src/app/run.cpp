@@ -52,24 +52,19 @@ std::string continue_command(const CaseArguments& of_case, const std::string& ou
 
 int run(const RunArguments& arguments, Chosen& chosen, const Communicator& comm)
 {
-  const CaseFile case_file = read_case(arguments.of_case);
+  const setup::Case c = read_case(arguments.of_case);
   run::RunOptions options = arguments.options;
-  options.case_path = case_file.path();
+  options.case_path = c.source.path();
   if (options.out_dir.empty())
     options.out_dir = common::usual_output_folder(options.case_path) + (options.lumped ? "-lumped" : "");
   if (options.restart.empty()) common::check_output_folder(options.out_dir, options.force, comm);
   options.continue_command = continue_command(arguments.of_case, options.out_dir);
-  try {
-    const int code = run::run_case(case_file, options);
-    const casefile::CaseTable& output = case_file.section("output");
-    if (output.flag("pictures"))
-      chosen.afterwards = [out = options.out_dir, report = output.flag("report")] {
-        return draw(report ? "report_run.py" : "draw_run.py", out);
-      };
-    return code;
-  } catch (const CaseError& error) {
-    throw case_file.locate(error);
-  }
+  const int code = with_places(c, [&] { return run::run_case(c, options, comm); });
+  if (c.output.pictures)
+    chosen.afterwards = [out = options.out_dir, report = c.output.report] {
+      return draw(report ? "report_run.py" : "draw_run.py", out);
+    };
+  return code;
 }
 
 }  // namespace

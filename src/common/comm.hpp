@@ -5,7 +5,7 @@
 
 #include <mpi.h>
 
-#include <cstdlib>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -16,13 +16,8 @@
 
 namespace valsalva::common {
 
-/// MPI_Init for everything that may open files. Open MPI's shared file pointers, which nothing here uses, are left out:
-/// they hang on the named semaphore that a killed run leaves behind.
-inline void start_mpi(int* argc = nullptr, char*** argv = nullptr)
-{
-  setenv("OMPI_MCA_sharedfp", "^sm", 0);
-  MPI_Init(argc, argv);
-}
+/// MPI_Init for everything that may open files.
+void start_mpi(int* argc = nullptr, char*** argv = nullptr);
 
 /// The lists of all ranks one after the other, on every rank; T is copied byte by byte. Collective.
 template <class T>
@@ -99,21 +94,12 @@ class Communicator {
   int size_ = 1;
 };
 
-/// Runs `work` on rank 0 only. If it throws an IoError, all ranks throw one, so that none waits for rank 0 inside the
+/// Runs `work` on rank 0 only. What it throws there all ranks throw, so that none waits for rank 0 inside the
 /// next collective call; only rank 0's has a message. Collective.
-template <class Work>
-void on_rank_0(const Communicator& comm, Work&& work)
-{
-  bool failed = false;
-  std::string why;
-  if (comm.is_rank_0()) try {
-      work();
-    } catch (const IoError& error) {
-      failed = true;
-      why = error.what();
-    }
-  if (comm.any(failed)) throw IoError(why);
-}
+void on_rank_0(const Communicator& comm, const std::function<void()>& work);
+
+/// The same; `values`, of the same length on all ranks, are then rank 0's. One broadcast. Collective.
+void on_rank_0(const Communicator& comm, const std::function<void()>& work, std::vector<double>& values);
 
 }  // namespace valsalva::common
 

@@ -1,7 +1,5 @@
 #include "common/end_together.hpp"
 
-#include <fmt/format.h>
-
 #include <chrono>
 #include <cstdio>
 #include <string>
@@ -13,30 +11,19 @@ namespace valsalva::common {
 
 namespace {
 
-struct End {
-  int code = 0;
-  std::string message;
-};
-
-End end_of(const std::function<int()>& work)
+End outcome_of(const std::function<int()>& work)
 {
   try {
     return {work(), ""};
-  } catch (const CaseError& error) {
-    return {kCaseErrorCode, error.what()};
-  } catch (const SolverError& error) {
-    return {kSolverErrorCode, error.what()};
-  } catch (const IoError& error) {
-    return {kIoErrorCode, error.what()};
-  } catch (const std::exception& error) {
-    return {kProgramErrorCode, std::string("a mistake of the program, please report it: ") + error.what()};
+  } catch (...) {
+    return end_of(std::current_exception());
   }
 }
 
 void print(const End& end)
 {
-  fmt::print(stderr, "valsalva: {}{}\n", end.code == kCaseErrorCode ? "this case cannot run\n" : "",
-             end.message);
+  const std::string before = end.code == kCaseErrorCode ? "this case cannot run\n" : "";
+  std::fputs(("valsalva: " + before + end.message + '\n').c_str(), stderr);
   std::fflush(stderr);
 }
 
@@ -56,25 +43,57 @@ bool all_arrive(const Communicator& comm, bool failed, double patience_s)
   }
 }
 
+/// A communicator of its own: a collective call of the work must not meet the barrier of a rank that failed.
+class Ends {
+ public:
+  explicit Ends(const Communicator& comm) : copied_(comm.size() > 1), comm_(comm.raw())
+  {
+    if (copied_) MPI_Comm_dup(comm.raw(), &comm_);
+  }
+  Ends(const Ends&) = delete;
+  Ends& operator=(const Ends&) = delete;
+  Communicator comm() const { return Communicator(comm_); }
+  /// Collective; left out by ranks that have lost the others.
+  void free()
+  {
+    if (copied_) MPI_Comm_free(&comm_);
+  }
+
+ private:
+  bool copied_;
+  MPI_Comm comm_;
+};
+
 }  // namespace
 
 int end_together(const Communicator& comm, const std::function<int()>& work, double patience_s)
 {
-  // A collective of `work` on the same communicator must not meet the barrier of a rank that failed.
-  MPI_Comm own = comm.raw();
-  if (comm.size() > 1) MPI_Comm_dup(comm.raw(), &own);
-  const Communicator ends(own);
-  const End end = end_of(work);
+  Ends copy(comm);
+  const Communicator ends = copy.comm();
+  const End end = outcome_of(work);
   if (!all_arrive(ends, end.code != 0, patience_s)) {
     print(end);
-    MPI_Abort(own, end.code);
+    MPI_Abort(ends.raw(), end.code);
   }
   const bool speaks = !end.message.empty();
   const double speaker = ends.min(speaks ? ends.rank() : ends.size());
   if (speaks && ends.rank() == static_cast<int>(speaker)) print(end);
   const int code = static_cast<int>(ends.max(end.code));
-  if (ends.size() > 1) MPI_Comm_free(&own);
+  copy.free();
   return code;
+}
+
+void note_failure(const Communicator& comm, const std::function<void()>& work,
+                  const std::function<void()>& note, double patience_s)
+{
+  Ends copy(comm);
+  try {
+    work();
+  } catch (...) {
+    if (!all_arrive(copy.comm(), true, patience_s) || comm.is_rank_0()) note();
+    throw;
+  }
+  copy.free();
 }
 
 }  // namespace valsalva::common

@@ -5,6 +5,7 @@
 // Thrown where found, caught once in main.
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -62,6 +63,20 @@ class IoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+inline constexpr int kProgramErrorCode = 1;
+inline constexpr int kCaseErrorCode = 2;
+inline constexpr int kSolverErrorCode = 3;
+inline constexpr int kIoErrorCode = 4;
+
+/// How a program ends, and what it says then.
+struct End {
+  int code = 0;
+  std::string message;
+};
+
+/// By exception type. What the system refuses (std::system_error, as of std::filesystem) counts as an IoError.
+End end_of(const std::exception_ptr& failure);
 
 }  // namespace valsalva::common
 

@@ -1,10 +1,12 @@
 #include "common/hdf5_file.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include <array>
 #include <filesystem>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -19,19 +21,29 @@ std::string part(const std::string& path)
   return path + ".part";
 }
 
-/// HDF5's own description of the innermost error.
-std::string reason()
+/// HDF5's own description of the innermost error of the call that last failed; the next call, be it one that
+/// closes an identifier, forgets the errors.
+std::string g_reason;
+
+herr_t keep_reason(hid_t errors, void*)
 {
-  std::string text;
-  H5Ewalk2(
-      H5E_DEFAULT, H5E_WALK_UPWARD,
-      [](unsigned, const H5E_error2_t* e, void* out) -> herr_t {
-        auto& first = *static_cast<std::string*>(out);
-        if (first.empty() && e->desc) first = e->desc;
+  g_reason.clear();
+  return H5Ewalk2(
+      errors, H5E_WALK_UPWARD,
+      [](unsigned, const H5E_error2_t* e, void*) -> herr_t {
+        if (g_reason.empty() && e->desc) g_reason = e->desc;
         return 0;
       },
-      &text);
-  return text;
+      nullptr);
+}
+
+/// "; its disk has 0.2 MB left"
+std::string free_space(const std::string& path)
+{
+  std::error_code unknown;
+  const auto space = std::filesystem::space(std::filesystem::absolute(path).parent_path(), unknown);
+  return unknown ? ""
+                 : fmt::format("; its disk has {:.4g} MB left", 1e-6 * static_cast<double>(space.available));
 }
 
 /// Waits until the file's data, or the names in a folder, are on the disk.
@@ -65,7 +77,8 @@ Hdf5File Hdf5File::open(const std::string& path, MPI_Comm comm)
 Hdf5File::Hdf5File(const std::string& path, MPI_Comm comm, Mode mode)
     : path_(path), comm_(comm), writing_(mode == Mode::create)
 {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  H5Eset_auto2(H5E_DEFAULT, keep_reason, nullptr);
+  g_reason.clear();
   const Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   if (comm_ != MPI_COMM_NULL) {
     MPI_Comm_rank(comm_, &rank_);
@@ -85,7 +98,7 @@ Hdf5File::Hdf5File(Hdf5File&& other) noexcept
     : path_(std::move(other.path_)),
       comm_(other.comm_),
       rank_(other.rank_),
-      writing_(other.writing_),
+      writing_(std::exchange(other.writing_, false)),
       file_(std::exchange(other.file_, -1))
 {
 }
@@ -97,9 +110,14 @@ Hdf5File::~Hdf5File()
 
 void Hdf5File::abandon() noexcept
 {
-  if (file_ < 0) return;
-  H5Fclose(std::exchange(file_, -1));
-  if (writing_ && rank_ == 0) std::remove(part(path_).c_str());
+  // HDF5 cannot close a file to which it can no longer write, and on several ranks would wait for them: it stays
+  // open. Its space is needed, by the record of the failure for one.
+  if (!writing_ && file_ >= 0) H5Fclose(file_);
+  file_ = -1;
+  if (!std::exchange(writing_, false) || rank_ > 0) return;
+  std::error_code gone;
+  std::filesystem::resize_file(part(path_), 0, gone);
+  std::filesystem::remove(part(path_), gone);
 }
 
 void Hdf5File::close(Durable durable)
@@ -113,16 +131,21 @@ void Hdf5File::close(Durable durable)
   require(!failed, "could not be renamed from " + part(path_));
   const std::string folder = std::filesystem::absolute(path_).parent_path().string();
   require(!to_disk || reaches_disk(folder), "could not be brought to the disk under its name");
+  writing_ = false;
 }
 
-/// Throws on all ranks if `done` is false on one.
+/// Throws on all ranks, with the reason of the first that failed, if `done` is false on one.
 void Hdf5File::require(bool done, const std::string& what) const
 {
-  int everywhere = done ? 1 : 0;
-  if (comm_ != MPI_COMM_NULL) MPI_Allreduce(MPI_IN_PLACE, &everywhere, 1, MPI_INT, MPI_MIN, comm_);
-  if (everywhere) return;
-  const std::string why = done ? "another rank failed" : reason();
-  throw IoError(path_ + ": " + what + (why.empty() ? "" : " (" + why + ")"));
+  constexpr int kNone = std::numeric_limits<int>::max();
+  int failed = done ? kNone : rank_;
+  if (comm_ != MPI_COMM_NULL) MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm_);
+  if (failed == kNone) return;
+  std::array<char, 200> why{};
+  g_reason.copy(why.data(), why.size() - 1);
+  if (comm_ != MPI_COMM_NULL) MPI_Bcast(why.data(), static_cast<int>(why.size()), MPI_CHAR, failed, comm_);
+  throw IoError(fmt::format("{}: {}{}{}{}", path_, what, why[0] ? ": " : "", why.data(),
+                            writing_ ? free_space(path_) : ""));
 }
 
 void Hdf5File::create_group(const std::string& name)

@@ -83,7 +83,7 @@ class Hdf5File {
   std::string path_;
   MPI_Comm comm_;  ///< MPI_COMM_NULL: serial
   int rank_ = 0;
-  bool writing_ = false;
+  bool writing_ = false;  ///< and not complete yet
   std::int64_t file_ = -1;
 };
 

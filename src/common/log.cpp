@@ -1,15 +1,18 @@
 #include "common/log.hpp"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 
 #include "common/error.hpp"
 
 namespace valsalva::common {
 
 namespace {
+
+constexpr const char* kClearLine = "\x1b[K";
 
 /// mpirun hands rank 0 a terminal of its own even where its output goes to a file, so under mpirun only its caller
 /// knows: scripts/run sets VALSALVA_LIVE.
@@ -24,10 +27,7 @@ bool output_is_a_terminal()
 Log::Log(bool is_root, const std::string& file, bool continue_file)
     : is_root_(is_root), is_terminal_(is_root && output_is_a_terminal())
 {
-  if (!is_root || file.empty()) return;
-  file_.reset(std::fopen(file.c_str(), continue_file ? "a" : "w"));
-  if (!file_)
-    throw IoError("cannot write the log '" + file + "'; check that the folder exists and may be written");
+  if (is_root && !file.empty()) file_.emplace(file, continue_file);
 }
 
 void Log::line(const std::string& text)
@@ -43,21 +43,29 @@ void Log::warning(const std::string& text)
 void Log::live(const std::string& text)
 {
   if (!is_terminal_) return;
-  fmt::print("\r{}\x1b[K", text);
+  std::fputs(("\r" + text + kClearLine).c_str(), stdout);
   std::fflush(stdout);
   live_shown_ = true;
+}
+
+void Log::check() const
+{
+  if (!failure_.empty()) throw IoError(failure_);
 }
 
 void Log::write(std::FILE* terminal, const std::string& text)
 {
   if (!is_root_) return;
-  if (live_shown_) fmt::print("\r\x1b[K");
+  const std::string erase = live_shown_ ? std::string("\r") + kClearLine : "";
   live_shown_ = false;
-  fmt::print(terminal, "{}\n", text);
-  std::fflush(terminal);
-  if (!file_) return;
-  fmt::print(file_.get(), "{}\n", text);
-  std::fflush(file_.get());
+  if (std::fputs((erase + text + '\n').c_str(), terminal) < 0 || std::fflush(terminal) != 0)
+    failure_ = std::string("cannot write to the terminal: ") + std::strerror(errno);
+  if (file_) try {
+      file_->add(text + '\n');
+      file_->flush();
+    } catch (const IoError& error) {
+      failure_ = error.what();
+    }
 }
 
 }  // namespace valsalva::common

@@ -3,31 +3,33 @@
 #pragma once
 
 #include <cstdio>
-#include <memory>
+#include <optional>
 #include <string>
+
+#include "common/text_file.hpp"
 
 namespace valsalva::common {
 
 class Log {
  public:
   /// Silent on ranks other than 0. Without a `file` (empty path) only the terminal is written; IoError if the
-  /// file cannot be created.
+  /// file cannot be created. A line that cannot be written is no error yet: `check` throws it, where ranks agree.
   explicit Log(bool is_root, const std::string& file = "", bool continue_file = false);
 
   void line(const std::string& text);
   void warning(const std::string& text);
   /// A line that replaces itself where the output is a terminal, and is left out elsewhere.
   void live(const std::string& text);
+  /// IoError if a line could not be written.
+  void check() const;
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   void write(std::FILE* terminal, const std::string& text);
   bool is_root_;
   bool is_terminal_;
   bool live_shown_ = false;
-  std::unique_ptr<std::FILE, Close> file_;
+  std::optional<GrowingFile> file_;
+  std::string failure_;
 };
 
 }  // namespace valsalva::common

@@ -1,16 +1,18 @@
 #include "common/output_folder.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 #include "common/error.hpp"
+#include "common/text_file.hpp"
 
 namespace valsalva::common {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr const char* kCaseFile = "case.resolved.toml";
 
 enum class State { usable, occupied, foreign, no_folder };
 
@@ -21,7 +23,7 @@ State state_of(const fs::path& folder, bool force)
   if (!fs::is_directory(folder, error)) return State::no_folder;
   if (fs::is_empty(folder, error)) return State::usable;
   if (!force) return State::occupied;
-  return fs::exists(folder / "case.resolved.toml", error) ? State::usable : State::foreign;
+  return fs::exists(folder / kCaseFile, error) ? State::usable : State::foreign;
 }
 
 }  // namespace
@@ -48,34 +50,23 @@ void create_output_folder(const std::string& folder, bool force, const std::stri
                           const Communicator& comm)
 {
   check_output_folder(folder, force, comm);
-  bool failed = false;
-  if (comm.is_rank_0()) {
-    std::error_code error;
-    fs::remove_all(folder, error);
-    fs::create_directories(folder, error);
-    std::ofstream stream(fs::path(folder) / "case.resolved.toml");
-    failed = !(stream << resolved_case << std::flush);
-  }
-  if (comm.any(failed))
-    throw IoError("cannot write into '" + folder + "'; check its permissions and the free space");
+  on_rank_0(comm, [&] {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    write_text_file(fs::path(folder) / kCaseFile, resolved_case);
+  });
 }
 
 void continue_output_folder(const std::string& folder, const std::string& resolved_case,
                             const Communicator& comm)
 {
-  const fs::path file = fs::path(folder) / "case.resolved.toml", part = file.string() + ".part";
+  const fs::path file = fs::path(folder) / kCaseFile;
   std::error_code error;
   if (comm.any(comm.is_rank_0() && !fs::exists(file, error)))
     throw CaseError(
         "", "the output folder '" + folder +
                 "' holds no run to continue (no case.resolved.toml); name the folder of the run with -o");
-  bool failed = false;
-  if (comm.is_rank_0()) {
-    failed = !(std::ofstream(part) << resolved_case << std::flush);
-    if (!failed) fs::rename(part, file, error);
-  }
-  if (comm.any(failed || error))
-    throw IoError("cannot write into '" + folder + "'; check its permissions and the free space");
+  on_rank_0(comm, [&] { write_text_file(file, resolved_case); });
 }
 
 std::string usual_output_folder(const std::string& case_path)

@@ -1,7 +1,6 @@
 #include "common/time_series.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -39,16 +38,15 @@ std::string header_of(const std::vector<std::string>& columns)
 
 }  // namespace
 
-TimeSeriesWriter::TimeSeriesWriter(const std::string& path, std::size_t column_count, const char* mode)
-    : path_(path), column_count_(column_count), file_(std::fopen(path.c_str(), mode))
+TimeSeriesWriter::TimeSeriesWriter(const std::string& path, std::size_t column_count, bool keep_old)
+    : file_(path, keep_old), column_count_(column_count)
 {
-  if (!file_) throw IoError("cannot write '" + path + "'; check that its folder exists and may be written");
 }
 
 TimeSeriesWriter::TimeSeriesWriter(const std::string& path, std::vector<std::string> columns)
-    : TimeSeriesWriter(path, columns.size(), "w")
+    : TimeSeriesWriter(path, columns.size(), false)
 {
-  fmt::print(file_.get(), "{}", header_of(columns));
+  file_.add(header_of(columns));
   flush();
 }
 
@@ -66,30 +64,28 @@ TimeSeriesWriter TimeSeriesWriter::continue_at(const std::string& path, std::vec
     throw IoError("cannot continue '" + path + "': rows that were there at the checkpoint are missing");
   std::filesystem::resize_file(path, static_cast<std::uintmax_t>(position), failed);
   if (failed) throw IoError("cannot cut '" + path + "' back to the checkpoint: " + failed.message());
-  return TimeSeriesWriter(path, columns.size(), "a");
+  return TimeSeriesWriter(path, columns.size(), true);
 }
 
 void TimeSeriesWriter::add(const std::vector<double>& values, const std::string& word)
 {
   if (values.size() + (word.empty() ? 0 : 1) != column_count_)
-    throw std::logic_error(fmt::format("{}: {} values for {} columns", path_, values.size(), column_count_));
-  fmt::print(file_.get(), "{:.9g}{}{}\n", fmt::join(values, ","), word.empty() ? "" : ",", word);
+    throw std::logic_error(
+        fmt::format("{}: {} values for {} columns", file_.path(), values.size(), column_count_));
+  file_.add(fmt::format("{:.9g}{}{}\n", fmt::join(values, ","), word.empty() ? "" : ",", word));
   const auto now = std::chrono::steady_clock::now();
   if (std::chrono::duration<double>(now - flushed_).count() > kFlushInterval_s) flush();
 }
 
 void TimeSeriesWriter::flush()
 {
-  if (std::fflush(file_.get()) != 0) throw IoError("cannot write '" + path_ + "'; is the disk full?");
+  file_.flush();
   flushed_ = std::chrono::steady_clock::now();
 }
 
 std::int64_t TimeSeriesWriter::position()
 {
-  flush();
-  if (::fsync(::fileno(file_.get())) != 0) throw IoError("cannot write '" + path_ + "'; is the disk full?");
-  std::fseek(file_.get(), 0, SEEK_END);  // a file opened to append knows its end only now
-  return std::ftell(file_.get());
+  return file_.sync();
 }
 
 const std::vector<double>& TimeSeries::column(std::string_view name) const

@@ -5,11 +5,11 @@
 
 #include <chrono>
 #include <cstdint>
-#include <cstdio>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "common/text_file.hpp"
 
 namespace valsalva::common {
 
@@ -22,20 +22,17 @@ class TimeSeriesWriter {
   static TimeSeriesWriter continue_at(const std::string& path, std::vector<std::string> columns,
                                       std::int64_t position);
 
-  /// One row; `values` has one entry per column, or one less if the last column holds words.
+  /// One row; `values` has one entry per column, or one less if the last column holds words. IoError if the disk is
+  /// full: the file then ends with the last row that reached it.
   void add(const std::vector<double>& values, const std::string& word = "");
   void flush();
   /// Where the next row begins (bytes); all rows before it are on the disk.
   std::int64_t position();
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  TimeSeriesWriter(const std::string& path, std::size_t column_count, const char* mode);
-  std::string path_;
+  TimeSeriesWriter(const std::string& path, std::size_t column_count, bool keep_old);
+  GrowingFile file_;
   std::size_t column_count_;
-  std::unique_ptr<std::FILE, Close> file_;
   std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 

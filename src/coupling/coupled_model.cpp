@@ -31,19 +31,19 @@ std::vector<double> in_dyn_cm2(const Eigen::VectorXd& p_mmHg)
 
 }  // namespace
 
-CoupledModel::CoupledModel(ib3d::ImmersedBoundarySolver& root, Circulation& circulation,
+CoupledModel::CoupledModel(ib3d::ImmersedBoundarySolver& solver, Circulation& circulation,
                            CouplingScheme scheme, const StepControl& control, Timers& timers)
-    : root_(root), circulation_(circulation), scheme_(scheme), control_(control), timers_(timers)
+    : solver_(solver), circulation_(circulation), scheme_(scheme), control_(control), timers_(timers)
 {
   const std::vector<double> none(static_cast<std::size_t>(circulation.port_count()), 0.0);
   interface_ = {circulation.state().t, circulation.pressures(none), none};
   flow_before_ = kinetic_outflow_ = none;
-  root_.seed_markers(t());
+  solver_.seed_markers(t());
 }
 
 Eigen::MatrixXd CoupledModel::conductance() const
 {
-  return common::kMmHg * root_.fluid().modes().conductance();
+  return common::kMmHg * solver_.fluid().modes().conductance();
 }
 
 double CoupledModel::inertance(int m) const
@@ -57,7 +57,7 @@ ib3d::StepBound CoupledModel::next_step(double t_stop)
   const auto limit = [&](double dt, ib3d::Limit by) {
     if (dt < bound.dt) bound = {dt, by};
   };
-  const double omega = root_.elastic_rate();
+  const double omega = solver_.elastic_rate();
   if (control_.dt_fixed_s > 0) {
     if (control_.dt_fixed_s * omega > 2)
       throw SolverError(
@@ -68,9 +68,9 @@ ib3d::StepBound CoupledModel::next_step(double t_stop)
   } else {
     // Adams-Bashforth has one stretch of the real axis for convection and viscosity together: the rates add.
     const double viscous_rate =
-        1 / ib3d::viscous_step_limit(root_.fluid().grid().finest(), root_.fluid().fluid());
+        1 / ib3d::viscous_step_limit(solver_.fluid().grid().finest(), solver_.fluid().fluid());
     limit(1 / viscous_rate, ib3d::Limit::viscous);
-    limit(1 / (root_.courant_rate() / control_.cfl + viscous_rate), ib3d::Limit::cfl);
+    limit(1 / (solver_.courant_rate() / control_.cfl + viscous_rate), ib3d::Limit::cfl);
     if (omega > 0) limit(control_.elastic_safety * 2 / omega, ib3d::Limit::elastic);
     if (dt_before_ > 0) limit(kGrowth * dt_before_, ib3d::Limit::growth);
   }
@@ -97,17 +97,17 @@ void CoupledModel::predict_pressures(double dt)
 StepReport CoupledModel::advance(const ib3d::StepBound& step)
 {
   const double dt = step.dt;
-  root_.begin_step(dt);  // (2.1)-(2.5): F = F[X], f = S F, u*
+  solver_.begin_step(dt);  // (2.1)-(2.5): F = F[X], f = S F, u*
 
-  predict_pressures(dt);                                                         // (4.1)
-  const Eigen::VectorXd Q0 = as_vector(root_.solve_fluid(in_dyn_cm2(p_used_)));  // (3.1), (4.2)
+  predict_pressures(dt);                                                           // (4.1)
+  const Eigen::VectorXd Q0 = as_vector(solver_.solve_fluid(in_dyn_cm2(p_used_)));  // (3.1), (4.2)
   const Eigen::MatrixXd G = dt * conductance();
   Eigen::VectorXd phi = Eigen::VectorXd::Zero(Q0.size());
   if (scheme_ == CouplingScheme::implicit_) {
     const auto scope = timers_.time("circulation");
     phi = circulation_.close(dt, interface_.flow_ml_s, Q0, G, p_used_);  // (4.3)
   }
-  root_.accept(in_dyn_cm2(phi));  // (3.2), (2.6): u^{n+1}, X^{n+1}
+  solver_.accept(in_dyn_cm2(phi));  // (3.2), (2.6): u^{n+1}, X^{n+1}
 
   const Eigen::VectorXd Q = Q0 - G * phi;
   check_numbers(dt, Q);
@@ -118,15 +118,15 @@ StepReport CoupledModel::advance(const ib3d::StepBound& step)
   circulation_.advance(dt, implicit ? flow_before_ : interface_.flow_ml_s, interface_.flow_ml_s);  // (4.4)
   interface_.t_s = t();
   interface_.pressure_mmHg = circulation_.pressures(interface_.flow_ml_s);
-  root_.seed_markers(t());
+  solver_.seed_markers(t());
   dt_before_ = dt;
   ++step_;
-  const ib3d::NavierStokes& fluid = root_.fluid();
+  const ib3d::NavierStokes& fluid = solver_.fluid();
   return {step_,
           t(),
           dt,
           step.limited_by,
-          root_.courant_rate() * dt,
+          solver_.courant_rate() * dt,
           fluid.pressure_report().iterations,
           fluid.divergence_rms(),
           fluid.divergence_max()};
@@ -135,7 +135,7 @@ StepReport CoupledModel::advance(const ib3d::StepBound& step)
 /// (4.6), with p the opening pressures of the step just taken.
 void CoupledModel::account_energy(double dt, const Eigen::VectorXd& p)
 {
-  std::vector<double> kinetic = root_.fluid().kinetic_outflow();
+  std::vector<double> kinetic = solver_.fluid().kinetic_outflow();
   for (std::size_t m = 0; m < kinetic.size(); ++m) {
     pressure_work_ -=
         0.5 * dt * p[static_cast<Eigen::Index>(m)] * (flow_before_[m] + interface_.flow_ml_s[m]);
@@ -156,12 +156,12 @@ void CoupledModel::save_or_restore(Checkpoint& c)
   c("coupling/flow_ml_s", interface_.flow_ml_s);
   c("coupling/flow_before_ml_s", flow_before_);
   circulation_.save_or_restore(c);
-  root_.save_or_restore(c);
+  solver_.save_or_restore(c);
 }
 
 void CoupledModel::check_numbers(double dt, const Eigen::VectorXd& Q) const
 {
-  const double cfl = root_.courant_rate() * dt;
+  const double cfl = solver_.courant_rate() * dt;
   if (std::isfinite(cfl) && cfl <= kBlowUpCfl && Q.allFinite()) return;
   throw SolverError(fmt::format(
       "the velocity has blown up (CFL number {:.3g} after a step of {:.3g} s); use a smaller {}", cfl, dt,

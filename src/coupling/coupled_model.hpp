@@ -34,9 +34,9 @@ struct StepReport {
 
 class CoupledModel {
  public:
-  /// `root` and `circulation` must outlive the model; the ports of the circulation are the openings of the
+  /// `solver` and `circulation` must outlive the model; the ports of the circulation are the openings of the
   /// root.
-  CoupledModel(ib3d::ImmersedBoundarySolver& root, Circulation& circulation, CouplingScheme scheme,
+  CoupledModel(ib3d::ImmersedBoundarySolver& solver, Circulation& circulation, CouplingScheme scheme,
                const StepControl& control, Timers& timers);
 
   /// The step that the bounds allow, shortened to land on `t_stop` and on the kinks of the sources. Throws SolverError
@@ -50,7 +50,7 @@ class CoupledModel {
   long step() const { return step_; }
   /// Pressures and flows at t.
   const InterfaceState& interface() const { return interface_; }
-  const ib3d::ImmersedBoundarySolver& root() const { return root_; }
+  const ib3d::ImmersedBoundarySolver& solver() const { return solver_; }
   const Circulation& circulation() const { return circulation_; }
   /// What has come into the 3D root through its openings since the start, less what went out, mmHg ml: work of the
   /// opening pressures, and kinetic energy that the flow carries.
@@ -69,7 +69,7 @@ class CoupledModel {
   void account_energy(double dt, const Eigen::VectorXd& p);
   void check_numbers(double dt, const Eigen::VectorXd& Q) const;
 
-  ib3d::ImmersedBoundarySolver& root_;
+  ib3d::ImmersedBoundarySolver& solver_;
   Circulation& circulation_;
   CouplingScheme scheme_;
   StepControl control_;

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <filesystem>
 
-#include "common/comm.hpp"
 #include "common/error.hpp"
 #include "common/log.hpp"
 #include "common/output_folder.hpp"
+#include "common/text_file.hpp"
 #include "lumped/fit/fit.hpp"
 #include "run/fit_output.hpp"
-#include "setup/network_from_case.hpp"
 #include "setup/surrogate.hpp"
 
 namespace valsalva::run {
@@ -20,8 +19,7 @@ namespace valsalva::run {
 namespace {
 
 constexpr double kSampleInterval_s = 1e-3;
-constexpr double kTolerance =
-    1e-6;  // every sample is a kink of the pressures, where the integrator begins anew
+constexpr double kTolerance = 1e-6;  // every sample is a kink of the pressures, where the integrator restarts
 constexpr double kShortest_s = 0.05;  ///< of a beat to learn anything from
 
 /// Linear between the rows; `t` increasing.
@@ -45,18 +43,19 @@ lumped::ElementSpec pressure_source(const std::string& name, const std::string& 
 }
 
 /// The run's case with the fitted numbers, each with its standard deviation.
-std::string surrogate_toml(const CaseFile& c, const lumped::Fit& fit, const CalibrateOptions& options)
+std::string surrogate_toml(const setup::Case& c, const lumped::Fit& fit, const CalibrateOptions& options)
 {
   std::string text = fmt::format(
       "# The 0D surrogate of the 3D root, from beat {} of {}: flow to {:.3g} ml/s (rms).\n"
       "# Run it: valsalva run --lumped THIS_FILE. Or paste the section into another case.\n"
       "extends = \"{}\"\n\n[surrogate]\n",
-      options.beat, options.run_dir, fit.signals.front().rms, std::filesystem::absolute(c.path()).string());
+      options.beat, options.run_dir, fit.signals.front().rms,
+      std::filesystem::absolute(c.source.path()).string());
   const lumped::ElementSpec& root = fit.network.elements.back();
-  for (const casefile::Key& key : c.section("surrogate").keys()) {
-    text += fmt::format("{} = {:.6g}", key.name, root.numbers.at(key.name));
+  for (const auto& [key, initial] : c.surrogate) {
+    text += fmt::format("{} = {:.6g}", key, root.numbers.at(key));
     for (const lumped::Estimate& e : fit.estimates)
-      if (e.name == root.name + "." + key.name) text += fmt::format("   # sd {:.2g}", e.sd);
+      if (e.name == root.name + "." + key) text += fmt::format("   # sd {:.2g}", e.sd);
     text += '\n';
   }
   return text;
@@ -64,10 +63,10 @@ std::string surrogate_toml(const CaseFile& c, const lumped::Fit& fit, const Cali
 
 }  // namespace
 
-lumped::FitProblem calibration_problem(const CaseFile& c, const TimeSeries& openings, int beat)
+lumped::FitProblem calibration_problem(const setup::Case& c, const TimeSeries& openings, int beat)
 {
   const setup::RootPorts ports = setup::root_ports(c);
-  const double period = setup::beat_length(c);
+  const double period = c.time.beat_s();
   const std::vector<double>& t = openings.column("t_s");
   const double begin = (beat - 1) * period, end = std::min(beat * period, t.empty() ? 0.0 : t.back());
   if (beat < 1 || end - begin < kShortest_s)
@@ -103,22 +102,22 @@ lumped::FitProblem calibration_problem(const CaseFile& c, const TimeSeries& open
   return problem;
 }
 
-int calibrate(const CaseFile& c, const CalibrateOptions& options)
+int calibrate(const setup::Case& c, const CalibrateOptions& options, const Communicator& comm)
 {
-  const Communicator comm;
   const lumped::FitProblem problem =
       calibration_problem(c, common::read_time_series(options.run_dir + "/openings.csv"), options.beat);
   // On every rank, with the same result: a problem that is refused then leaves no folder behind.
   const lumped::Fit fit = lumped::fit(problem);
-  common::create_output_folder(options.out_dir, options.force, c.resolved_toml(), comm);
+  common::create_output_folder(options.out_dir, options.force, c.source.resolved_toml(), comm);
   if (!comm.is_rank_0()) return 0;
   const std::string text = write_fit(options.out_dir, fit);
-  write_text(options.out_dir + "/surrogate.toml", surrogate_toml(c, fit, options));
+  common::write_text_file(options.out_dir + "/surrogate.toml", surrogate_toml(c, fit, options));
   Log log(true, options.out_dir + "/log.txt");
   log.line(
       fmt::format("Surrogate of the 3D root from beat {} of {}\n\n{}", options.beat, options.run_dir, text));
   log.line("results in " + options.out_dir + "; run it with\nvalsalva run --lumped " + options.out_dir +
            "/surrogate.toml");
+  log.check();
   return 0;
 }
 

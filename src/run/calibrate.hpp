@@ -6,9 +6,10 @@
 
 #include <string>
 
-#include "casefile/case_file.hpp"
+#include "common/comm.hpp"
 #include "common/time_series.hpp"
 #include "lumped/fit/fit_problem.hpp"
+#include "setup/case.hpp"
 
 namespace valsalva::run {
 
@@ -21,9 +22,9 @@ struct CalibrateOptions {
 
 /// What is fitted to what, from the run's openings.csv. CaseError if `openings` does not reach into the beat or
 /// the case has not one opening at each end; IoError for a missing column.
-lumped::FitProblem calibration_problem(const CaseFile& c, const TimeSeries& openings, int beat);
+lumped::FitProblem calibration_problem(const setup::Case& c, const TimeSeries& openings, int beat);
 
 /// `c` is the run's resolved case. Returns the exit code. CaseError, SolverError, IoError. Collective.
-int calibrate(const CaseFile& c, const CalibrateOptions& options);
+int calibrate(const setup::Case& c, const CalibrateOptions& options, const Communicator& comm);
 
 }  // namespace valsalva::run

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/comm.hpp"
 #include "common/progress.hpp"
-#include "run/beats/periodic_beats.hpp"
-#include "run/loop.hpp"
+#include "run/describe.hpp"
+#include "run/lumped_loop.hpp"
 #include "run/memory_estimate.hpp"
 #include "run/record.hpp"
 
@@ -63,22 +62,21 @@ std::string step_line(const setup::CaseModel& model, const coupling::StepControl
 
 }  // namespace
 
-std::string describe_case(const CaseFile& c)
+std::string describe_case(const setup::Case& c, const Communicator& comm)
 {
-  const PeriodicBeats refused_without_a_period(c);
-  if (setup::is_lumped(c)) {
-    const lumped::LumpedNetwork network(setup::network_from_case(c));
+  if (c.is_lumped()) {
+    check_lumped_run(c);
+    const lumped::LumpedNetwork network(c.network);
     return fmt::format("0D only: {} states, {} nodes, {} valves", network.state_count(), network.node_count(),
                        network.valve_count());
   }
   Timers timers;
-  const Communicator comm;
-  setup::CaseModel model(c, comm.raw(), timers);
+  setup::CaseModel model(c, comm, timers);
   std::string text = describe_model(c, model);
-  const double end = c.section("time").real("end_s");
+  const double end = c.time.end_s;
   const Trial trial = try_steps(model, end, timers);
   const double steps = end / trial.bound.dt;
-  text += step_line(model, setup::step_control_from_case(c), trial.bound);
+  text += step_line(model, c.time.steps, trial.bound);
   text += memory_lines(model, comm);
   text +=
       fmt::format("time       {:.0f} ms per step on {} rank{}: {:.0f} steps to t = {:g} s, {} without output",

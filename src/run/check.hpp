@@ -3,12 +3,13 @@
 
 #include <string>
 
-#include "casefile/case_file.hpp"
+#include "common/comm.hpp"
+#include "setup/case.hpp"
 
 namespace valsalva::run {
 
 /// Sizes of grid and structure, memory, stable step and estimated time, as lines for a terminal. Throws
 /// CaseError for everything that a run would refuse.
-std::string describe_case(const CaseFile& case_file);
+std::string describe_case(const setup::Case& c, const Communicator& comm);
 
 }  // namespace valsalva::run

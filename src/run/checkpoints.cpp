@@ -8,8 +8,7 @@
 #include <regex>
 
 #include "common/error.hpp"
-#include "setup/build_model.hpp"
-#include "setup/case_keys.hpp"
+#include "setup/same_run.hpp"
 
 namespace valsalva::run {
 
@@ -45,49 +44,26 @@ std::vector<long> steps_in(const std::string& out)
 /// The same, as rank 0 sees them, on all ranks.
 std::vector<long> agreed_steps_in(const std::string& out, const Communicator& comm)
 {
-  std::vector<long> steps = comm.is_rank_0() ? steps_in(out) : std::vector<long>{};
+  std::vector<long> steps;
+  common::on_rank_0(comm, [&] { steps = steps_in(out); });
   steps.resize(static_cast<std::size_t>(comm.from_rank_0(static_cast<double>(steps.size()))));
   for (long& step : steps) step = std::lround(comm.from_rank_0(static_cast<double>(step)));
   return steps;
 }
 
-bool may_change(const std::string& key)
-{
-  if (key == "output.probes_z_cm") return false;  // the columns of probes.csv
-  return key == "title" || key == "time.end_s" || key == "time.stop_when_periodic_within" ||
-         key.starts_with("output.") || key.starts_with("checkpoint.");
-}
-
-Checkpoint open_checked(const std::string& path, const CaseFile& c, const Communicator& comm)
+Checkpoint open_checked(const std::string& path, const setup::Case& c, const Communicator& comm)
 {
   Checkpoint file = Checkpoint::open(path, comm.raw());
   std::string text;
   file("case", text);
-  check_same_run(c, CaseFile::parse(text, path, setup::case_keys()), path);
+  setup::check_same_run(c, text, path);
   return file;
 }
 
 }  // namespace
 
-void check_same_run(const CaseFile& now, const CaseFile& then, const std::string& checkpoint)
-{
-  std::vector<CaseProblem> problems;
-  for (CaseProblem& p : now.differences_from(then)) {
-    if (may_change(p.key) || p.key == "time.period_s") continue;
-    p.message += " when " + checkpoint + " was written; put it back, or begin anew with --force";
-    problems.push_back(std::move(p));
-  }
-  const double beat = setup::beat_length(now), beat_then = setup::beat_length(then);
-  if (beat != beat_then)
-    problems.push_back(now.section("time").problem(
-        "period_s", fmt::format("the beat is {:.9g} s long now, it was {:.9g} s when {} was written; set "
-                                "time.period_s = {:.9g}, or begin anew with --force",
-                                beat, beat_then, checkpoint, beat_then)));
-  if (!problems.empty()) throw CaseError(problems);
-}
-
 std::optional<Restart> find_restart(const std::string& restart, const std::string& folder, bool force,
-                                    const CaseFile& c, const Communicator& comm)
+                                    const setup::Case& c, const Communicator& comm)
 {
   if (restart.empty()) return std::nullopt;
   if (restart != "latest") return Restart{open_checked(restart, c, comm), {}};
@@ -104,30 +80,28 @@ std::optional<Restart> find_restart(const std::string& restart, const std::strin
   const bool occupied = comm.is_rank_0() && fs::exists(folder, none) && !fs::is_empty(folder, none);
   if (!comm.any(occupied) || force) return std::nullopt;
   throw CaseError("", "the output folder '" + folder +
-                          "' holds no checkpoint to continue from; add --force to begin anew");
+                          "' holds no checkpoint to continue from; add --force to start again");
 }
 
-RunCheckpoints::RunCheckpoints(const std::string& folder, const CaseFile& c, const Communicator& comm,
+RunCheckpoints::RunCheckpoints(const std::string& folder, const setup::Case& c, const Communicator& comm,
                                double wall_s, SaveOrRestore state, SaveOrRestore output)
     : folder_(folder),
-      case_text_(c.resolved_toml()),
+      case_text_(c.source.resolved_toml()),
       comm_(comm),
-      every_s_(c.section("checkpoint").real("every_wall_s")),
-      keep_(static_cast<std::size_t>(c.section("checkpoint").integer("keep"))),
+      every_s_(c.checkpoints.every_wall_s),
+      keep_(static_cast<std::size_t>(c.checkpoints.keep)),
       state_(std::move(state)),
       output_(std::move(output)),
       last_wall_s_(wall_s)
 {
-  if (comm.is_rank_0()) fs::create_directories(folder_of(folder));
-  comm.barrier();
+  common::on_rank_0(comm, [&] { fs::create_directories(folder_of(folder)); });
 }
 
 void RunCheckpoints::remove_where(const std::function<bool(long)>& unwanted) const
 {
-  if (!comm_.is_rank_0()) return;
-  std::error_code gone;
   for (long step : steps_in(folder_))
-    if (unwanted(step)) fs::remove(path_of(folder_, step), gone);
+    if (unwanted(step)) fs::remove(path_of(folder_, step));
+  std::error_code gone;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(folder_)))
     if (entry.path().extension() == ".part") fs::remove(entry.path(), gone);  // of a run that was killed
 }
@@ -145,12 +119,12 @@ void RunCheckpoints::write(long step, double wall_s)
   file.close();
   last_ = path;
   last_step_ = step;
-  if (!comm_.is_rank_0()) return;
-  const std::vector<long> steps = steps_in(folder_);
-  if (steps.size() > keep_) {
+  common::on_rank_0(comm_, [&] {
+    const std::vector<long> steps = steps_in(folder_);
+    if (steps.size() <= keep_) return;
     const long oldest = steps[steps.size() - keep_];
     remove_where([&](long s) { return s < oldest; });
-  }
+  });
 }
 
 void RunCheckpoints::restore(Checkpoint& file)
@@ -158,7 +132,7 @@ void RunCheckpoints::restore(Checkpoint& file)
   file("step", last_step_);
   last_ = file.path();
   state_(file);
-  remove_where([&](long s) { return s > last_step_; });
+  common::on_rank_0(comm_, [&] { remove_where([&](long s) { return s > last_step_; }); });
   output_(file);
 }
 

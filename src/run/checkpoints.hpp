@@ -1,6 +1,5 @@
 // The checkpoints of a run, <folder>/checkpoints/checkpoint_<step>.h5: when they are written, how many are kept,
-// and which one a run continues from. A checkpoint holds the case too: only keys that leave the solution alone
-// (title, [output] without probes_z_cm, [checkpoint], time.end_s, time.stop_when_periodic_within) may change between a run and its continuation.
+// and which one a run continues from. A checkpoint holds the case too; setup/same_run.hpp says what of it may change.
 #pragma once
 
 #include <functional>
@@ -8,32 +7,30 @@
 #include <string>
 #include <vector>
 
-#include "casefile/case_file.hpp"
 #include "common/checkpoint.hpp"
 #include "common/comm.hpp"
+#include "setup/case.hpp"
 
 namespace valsalva::run {
 
-/// CaseError that names the keys of `now` by which it is another run than `then`, the case of `checkpoint`.
-void check_same_run(const CaseFile& now, const CaseFile& then, const std::string& checkpoint);
-
 struct Restart {
   Checkpoint file;
-  std::vector<std::string> unreadable;  ///< why newer ones were passed over
+  std::vector<std::string> unreadable;  ///< why newer ones were skipped
 };
 
 /// What `--restart` means: a file, or "latest" for the newest one of `folder` that can be read; nothing without the
-/// option, or if there is none and the folder is empty or `force` allows to begin anew. CaseError for another case. Collective.
+/// option, or if there is none and the folder is empty or `force` allows a new start. CaseError for another case.
+/// Collective.
 std::optional<Restart> find_restart(const std::string& restart, const std::string& folder, bool force,
-                                    const CaseFile& c, const Communicator& comm);
+                                    const setup::Case& c, const Communicator& comm);
 
 class RunCheckpoints {
  public:
   using SaveOrRestore = std::function<void(Checkpoint&)>;
 
-  /// `state` is all that the computation needs to go on, `output` where its files end. `wall_s`: the clock of
+  /// `state` saves or restores all that the computation needs to continue, `output` where its files end. `wall_s`: the clock of
   /// `due` now.
-  RunCheckpoints(const std::string& folder, const CaseFile& c, const Communicator& comm, double wall_s,
+  RunCheckpoints(const std::string& folder, const setup::Case& c, const Communicator& comm, double wall_s,
                  SaveOrRestore state, SaveOrRestore output);
 
   /// Has the interval passed on the clock of this rank?
@@ -41,7 +38,7 @@ class RunCheckpoints {
   /// Writes the checkpoint of this step, unless it is the one last written or continued from, and removes the
   /// oldest. Collective.
   void write(long step, double wall_s);
-  /// Restores everything. Checkpoints of later steps are removed: the output is cut back to before them.
+  /// Restores everything. Checkpoints of later steps are removed, since the output is truncated to an earlier step.
   /// Collective.
   void restore(Checkpoint& file);
 

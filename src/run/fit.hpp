@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "casefile/case_file.hpp"
+#include "common/comm.hpp"
+#include "setup/case.hpp"
 
 namespace valsalva::run {
 
@@ -14,6 +15,6 @@ struct FitOptions {
 };
 
 /// Returns the exit code. Throws CaseError, SolverError, IoError. Collective.
-int fit_case(const CaseFile& c, const FitOptions& options);
+int fit_case(const setup::Case& c, const FitOptions& options, const Communicator& comm);
 
 }  // namespace valsalva::run

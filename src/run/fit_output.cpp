@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 
-#include "common/error.hpp"
 #include "common/json_text.hpp"
+#include "common/text_file.hpp"
 #include "common/time_series.hpp"
 #include "lumped/fit/fit_flags.hpp"
 
@@ -72,18 +71,11 @@ void write_traces(const std::string& path, const lumped::Fit& fit)
 
 }  // namespace
 
-void write_text(const std::string& path, const std::string& text)
-{
-  std::ofstream file(path);
-  file << text;
-  if (!file.flush()) throw IoError(path + ": cannot be written");
-}
-
 std::string write_fit(const std::string& folder, const lumped::Fit& fit)
 {
   const std::string text = lumped::fit_text(fit);
-  write_text(folder + "/fit.txt", text);
-  write_text(folder + "/fit.json", fit_json(fit));
+  common::write_text_file(folder + "/fit.txt", text);
+  common::write_text_file(folder + "/fit.json", fit_json(fit));
   write_traces(folder + "/fit.csv", fit);
   return text;
 }

@@ -12,7 +12,4 @@ namespace valsalva::run {
 /// Writes them into an existing folder and returns the text of fit.txt. IoError.
 std::string write_fit(const std::string& folder, const lumped::Fit& fit);
 
-/// A whole file at once. IoError.
-void write_text(const std::string& path, const std::string& text);
-
 }  // namespace valsalva::run

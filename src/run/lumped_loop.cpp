@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/end_together.hpp"
 #include "common/error.hpp"
 #include "common/log.hpp"
 #include "common/output_folder.hpp"
@@ -34,37 +35,41 @@ int observable_number(const lumped::LumpedNetwork& network, const std::string& n
 
 }  // namespace
 
-int run_lumped(const CaseFile& c, const RunOptions& options)
+void check_lumped_run(const Case& c)
+{
+  if (c.time.stop_when_periodic_within > 0 && setup::find_aortic_valve(setup::lumped_network(c)).flow.empty())
+    throw CaseError(
+        "time.stop_when_periodic_within",
+        "compares beats, but the case has no valve from which beats are measured; remove this key");
+}
+
+int run_lumped(const Case& c, const RunOptions& options, const Communicator& comm)
 {
   if (!options.restart.empty())
-    throw CaseError("", "a 0D run takes seconds and has no checkpoints; run it anew with --force");
-  const Communicator comm;
+    throw CaseError("", "a 0D run takes seconds and has no checkpoints; run it again with --force");
   const Timers timers;
-  lumped::NetworkSpec given = setup::lumped_network_from_case(c);
+  check_lumped_run(c);
+  lumped::NetworkSpec given = setup::lumped_network(c);
   const setup::AorticValve aortic = setup::find_aortic_valve(given);
   if (!aortic.flow.empty()) given.integrals = {aortic.flow};
   given.balance = true;
-  PeriodicBeats periodic(c);
-  if (aortic.flow.empty() && c.section("time").real("stop_when_periodic_within") > 0)
-    throw CaseError({c.section("time").problem("stop_when_periodic_within",
-                                               "asks to compare beats, but the case has no valve from which "
-                                               "beats are measured; leave this key out")});
-  const setup::NetworkStart start = setup::network_start(c, given);
+  PeriodicBeats periodic(c.time.stop_when_periodic_within, c.time.beat_s());
+  const setup::NetworkStart start = setup::network_start(c, given, comm);
   const lumped::NetworkSpec& spec = start.spec;
   const lumped::LumpedNetwork network(spec);
-  common::create_output_folder(options.out_dir, options.force, c.resolved_toml(), comm);
+  common::create_output_folder(options.out_dir, options.force, c.source.resolved_toml(), comm);
   common::catch_stop_signals();
   Log log(comm.is_rank_0(), options.out_dir + "/log.txt");
-  log.line(c.section("").text("title"));
+  log.line(c.title);
   log.line(fmt::format("0D only: {} states, {} nodes, {} valves\n", network.state_count(),
                        network.node_count(), network.valve_count()));
   if (!start.text.empty()) log.line(start.text);
 
-  const double end = c.section("time").real("end_s");
+  const double end = c.time.end_s;
   lumped::LumpedState state = start.state;
   long steps = 0;
   bool stopped = false;
-  if (comm.is_rank_0()) {
+  const auto integrate = [&] {
     std::vector<std::string> names{"t_s"};
     for (const auto& q : network.observables()) names.push_back(q.name);
     for (const auto& s : network.states()) names.push_back(s.name);
@@ -75,7 +80,7 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
     const int p_aorta = observable_number(network, aortic.p_aorta);
     TimeSeriesWriter switchings(options.out_dir + "/valves.csv", {"t_s", "open", "valve"});
     const std::vector<std::string> valve_names = network.valve_names();
-    BeatStatistics books(spec.period_s);
+    BeatStatistics statistics(spec.period_s);
     const auto record = [&] {
       const std::vector<double> seen = network.observe(state, {});
       std::vector<double> row{state.t};
@@ -83,13 +88,13 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
       row.insert(row.end(), state.y.begin(), state.y.end());
       traces.add(row);
       const auto at = [&](int n) { return n < 0 ? 0.0 : seen[static_cast<std::size_t>(n)]; };
-      books.add({state.t, at(flow), at(p_ventricle), at(p_aorta), -1, 0});
+      statistics.add({state.t, at(flow), at(p_ventricle), at(p_aorta), -1, 0});
     };
     record();
-    books.begin(balance_state(network, state));
+    statistics.begin(balance_state(network, state));
     lumped::CvodeIntegrator integrator(network);
     while (state.t < end - 1e-12 && !stopped && !periodic.reached()) {
-      const double stop = std::min(end, books.end_s());
+      const double stop = std::min(end, statistics.end_s());
       const double begin = state.t;
       const long rows = std::lround(std::ceil((stop - begin) / kSampleInterval_s));
       for (long n = 1; n <= rows && !stopped; ++n, ++steps) {
@@ -102,7 +107,7 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
         record();
         stopped = common::stop_requested();
       }
-      const BeatMetrics metrics = books.close(balance_state(network, state));
+      const BeatMetrics metrics = statistics.close(balance_state(network, state));
       if (flow >= 0) {
         beats.add(beat_row(metrics));
         log.line(beat_text(metrics) + "\n" + periodic.add(metrics));
@@ -111,13 +116,27 @@ int run_lumped(const CaseFile& c, const RunOptions& options)
     traces.flush();
     beats.flush();
     switchings.flush();
-  }
-  const std::string outcome = periodic.reached() ? periodic.outcome()
-                              : stopped          ? "stopped by a signal"
-                                                 : "finished";
-  write_run_record(options.out_dir, {options.case_path, outcome, state.t, timers.wall(), steps, 0, 0}, comm);
-  log.line("results in " + options.out_dir);
-  if (periodic.reached()) log.line(outcome);
+  };
+  RunRecord record{options.case_path, "running", 0, 0, 0, 0, 0, 0};
+  const auto update_record = [&] {
+    record.t_s = state.t;
+    record.wall_s = timers.wall();
+    record.steps = steps;
+  };
+  const auto run_to_end = [&] {
+    write_run_record(options.out_dir, record, comm);
+    common::on_rank_0(comm, integrate);
+    record.outcome = periodic.reached() ? periodic.outcome() : stopped ? "stopped by a signal" : "finished";
+    log.line("results in " + options.out_dir);
+    if (periodic.reached()) log.line(record.outcome);
+    common::on_rank_0(comm, [&] { log.check(); });
+    update_record();
+    write_run_record(options.out_dir, record, comm);
+  };
+  common::note_failure(comm, run_to_end, [&] {
+    update_record();
+    write_failed_run_record(options.out_dir, record, comm);
+  });
   return 0;
 }
 

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "run/run.hpp"
-#include "setup/build_model.hpp"
 
 namespace valsalva::run {
 
+/// CaseError for a case that cannot run in 0D, whatever `check` and `run` do next.
+void check_lumped_run(const Case& c);
+
 /// As `run_case`, in 0D whatever the case. Rank 0 computes; collective.
-int run_lumped(const CaseFile& c, const RunOptions& options);
+int run_lumped(const Case& c, const RunOptions& options, const Communicator& comm);
 
 }  // namespace valsalva::run

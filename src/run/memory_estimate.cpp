@@ -19,7 +19,7 @@ double stored_values(const ib3d::Level& level, int ghosts)
 
 double fields_of(setup::CaseModel& model)
 {
-  const ib3d::NavierStokes& fluid = model.root().fluid();
+  const ib3d::NavierStokes& fluid = model.solver().fluid();
   const bool implicit = fluid.fluid().viscosity_scheme == ib3d::ViscosityScheme::crank_nicolson;
   double bytes = 0;
   for (int l = 0; l < model.grid().level_count(); ++l) {
@@ -44,7 +44,7 @@ double structure_of(setup::CaseModel& model)
   const double tethers = n.tethers.count() * (kInt + kDouble + kVector);
   const double network = n.node_count() * kVector + springs + beams + tethers;
   // three times the network (case, owner, own part); three lists of all nodes; the part's vectors of the steps
-  const double own = static_cast<double>(model.root().nodes().owned()) * 8 * kVector;
+  const double own = static_cast<double>(model.solver().nodes().owned()) * 8 * kVector;
   return 3 * network + n.node_count() * (3 * kVector + kInt) + own;
 }
 

@@ -5,10 +5,9 @@
 
 namespace valsalva::run {
 
-int run_case(const CaseFile& case_file, const RunOptions& options)
+int run_case(const Case& c, const RunOptions& options, const Communicator& comm)
 {
-  return setup::is_lumped(case_file) || options.lumped ? run_lumped(case_file, options)
-                                                       : run_coupled(case_file, options);
+  return c.is_lumped() || options.lumped ? run_lumped(c, options, comm) : run_coupled(c, options, comm);
 }
 
 }  // namespace valsalva::run

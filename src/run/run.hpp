@@ -3,9 +3,12 @@
 
 #include <string>
 
-#include "casefile/case_file.hpp"
+#include "common/comm.hpp"
+#include "setup/case.hpp"
 
 namespace valsalva::run {
+
+using setup::Case;
 
 struct RunOptions {
   std::string case_path;
@@ -16,9 +19,9 @@ struct RunOptions {
   std::string continue_command;  ///< what to type to continue this run, for people
 };
 
-/// Runs the case and writes into `options.out_dir`, which this call creates. Returns the exit code: 0, also
-/// after a signal has ended the run early with all output complete and a checkpoint to continue from. Throws CaseError (the same on all ranks),
-/// SolverError, IoError.
-int run_case(const CaseFile& case_file, const RunOptions& options);
+/// Runs the case and writes into `options.out_dir`, which this call creates. Returns the exit code: 0, also after a
+/// signal has ended the run early with all output complete and a checkpoint to continue from. Throws CaseError (the same
+/// on all ranks), SolverError, IoError. Collective.
+int run_case(const Case& c, const RunOptions& options, const Communicator& comm);
 
 }  // namespace valsalva::run

@@ -44,27 +44,31 @@ std::vector<int> group_of_nodes(const ib3d::ElasticModel& whole)
 
 }  // namespace
 
-Snapshots::Snapshots(const std::string& folder, const CaseFile& c, setup::CaseModel& model,
+Snapshots::Snapshots(const std::string& folder, const setup::Output& output, setup::CaseModel& model,
                      const Communicator& comm)
     : folder_(folder),
       model_(model),
       comm_(comm),
       has_structure_(model.structure().network.node_count() > 0),
-      has_markers_(model.root().markers().wanted())
+      has_markers_(model.solver().markers().wanted())
 {
   const double never = std::numeric_limits<double>::infinity();
-  fields_.every_s = c.section("output").real("fields_every_s");
-  structure_.every_s = c.section("output").real("structure_every_s");
+  fields_.every_s = output.fields_every_s;
+  structure_.every_s = output.structure_every_s;
   if (fields_.every_s == 0) fields_.every_s = fields_.next_s = never;
   if (structure_.every_s == 0 || (!has_structure_ && !has_markers_))
     structure_.every_s = structure_.next_s = never;
-  if (comm.is_rank_0()) {
+  common::on_rank_0(comm, [&] {
     for (const char* sub : {"fields", "structure"}) std::filesystem::create_directories(folder + "/" + sub);
     field_series_.emplace(folder + "/fields/fields.hdf.series");
     if (has_structure_) structure_series_.emplace(folder + "/structure/leaflets.hdf.series");
     if (has_markers_) marker_series_.emplace(folder + "/structure/markers.hdf.series");
-  }
-  comm.barrier();
+  });
+}
+
+void Snapshots::list(std::optional<ib3d::FileSeries>& series, const std::string& name, double t) const
+{
+  common::on_rank_0(comm_, [&] { series->add(name, t); });
 }
 
 void Snapshots::write_due()
@@ -79,12 +83,12 @@ void Snapshots::write_due()
       if (structure_.count == 0) write_structure("wall.hdf", t, true);
       const std::string name = ib3d::numbered_file("leaflets", structure_.count);
       write_structure(name, t, false);
-      if (structure_series_) structure_series_->add(name, t);
+      list(structure_series_, name, t);
     }
     if (has_markers_) {
       const std::string name = ib3d::numbered_file("markers", structure_.count);
       write_markers(name, t);
-      if (marker_series_) marker_series_->add(name, t);
+      list(marker_series_, name, t);
     }
     structure_.done(t);
   }
@@ -105,7 +109,7 @@ void Snapshots::save_or_restore(Checkpoint& c)
 
 void Snapshots::write_fields(double t)
 {
-  const ib3d::NavierStokes& fluid = model_.root().fluid();
+  const ib3d::NavierStokes& fluid = model_.solver().fluid();
   std::vector<ib3d::AmrLevel> levels;
   for (std::size_t l = 0; l < fluid.u().size(); ++l) {
     const ib3d::Level& level = fluid.grid().levels()[l];
@@ -116,13 +120,13 @@ void Snapshots::write_fields(double t)
   }
   const std::string name = ib3d::numbered_file("fields", fields_.count);
   ib3d::write_overlapping_amr(folder_ + "/fields/" + name, t, Vec3{0, 0, 0}, levels, comm_.raw());
-  if (field_series_) field_series_->add(name, t);
+  list(field_series_, name, t);
 }
 
 void Snapshots::write_structure(const std::string& name, double t, bool wall)
 {
-  const ib3d::NodeDistribution& nodes = model_.root().nodes();
-  const std::vector<Vec3>& X = model_.root().X();
+  const ib3d::NodeDistribution& nodes = model_.solver().nodes();
+  const std::vector<Vec3>& X = model_.solver().X();
   const std::vector<int> group = group_of_nodes(nodes.whole());
   std::vector<std::string> names;
   for (const ib3d::NodeGroup& g : nodes.whole().groups()) names.push_back(g.name);
@@ -158,7 +162,7 @@ void Snapshots::write_structure(const std::string& name, double t, bool wall)
 
 void Snapshots::write_markers(const std::string& name, double t)
 {
-  const ib3d::Markers& markers = model_.root().markers();
+  const ib3d::Markers& markers = model_.solver().markers();
   std::vector<std::string> names;
   for (const ib3d::MarkerSeed& seed : markers.seeds()) names.push_back(seed.name);
   ib3d::MarkerPicture picture;

@@ -1,5 +1,6 @@
 // Fields and structure at regular times, as files that ParaView opens: fields/fields_NNNN.hdf,
-// structure/leaflets_NNNN.hdf and structure/markers_NNNN.hdf, and structure/wall.hdf once (the wall hardly moves). All calls are collective.
+// structure/leaflets_NNNN.hdf and structure/markers_NNNN.hdf, and structure/wall.hdf once (the wall hardly moves). All
+// calls are collective.
 #pragma once
 
 #include <cmath>
@@ -16,13 +17,14 @@ namespace valsalva::run {
 class Snapshots {
  public:
   /// Plans the files; writes none. `model` must outlive the object. IoError if a list of files cannot be read.
-  Snapshots(const std::string& folder, const CaseFile& c, setup::CaseModel& model, const Communicator& comm);
+  Snapshots(const std::string& folder, const setup::Output& output, setup::CaseModel& model,
+            const Communicator& comm);
 
   /// The next time at which something is to be written (s): steps should land on it.
   double next_time() const { return std::min(fields_.next_s, structure_.next_s); }
   /// Writes what is due at the model's time.
   void write_due();
-  /// How many files there are; reading, the lists of files are cut back to that. The intervals may have changed.
+  /// Saves the number of files; on restore truncates the lists of files to it. The intervals may have changed.
   void save_or_restore(Checkpoint& c);
 
  private:
@@ -39,6 +41,8 @@ class Snapshots {
     }
   };
   static constexpr double kSameTime_s = 1e-9;
+  /// Adds a file to its list. Collective.
+  void list(std::optional<ib3d::FileSeries>& series, const std::string& name, double t) const;
   void write_fields(double t);
   void write_structure(const std::string& path, double t, bool wall);
   void write_markers(const std::string& path, double t);

@@ -1,7 +1,6 @@
-#include <map>
 
 #include "lumped/network/element_types.hpp"
-#include "setup/keys_parts.hpp"
+#include "setup/keys.hpp"
 
 namespace valsalva::setup {
 
@@ -37,47 +36,72 @@ Key key_of(const lumped::ElementParameter& p)
   return p.required ? key : key.optional();
 }
 
+std::string terminal_meaning(const lumped::ElementType& type, const std::string& terminal)
+{
+  if (type.terminals.size() == 1) return "Node the element is joined to";
+  return std::string("Node at the element's ") + (terminal == "from" ? "inlet" : "outlet");
+}
+
+KeyVariant variant_of(const lumped::ElementType& type)
+{
+  KeyVariant variant{type.name, type.meaning, {}};
+  for (const std::string& terminal : type.terminals)
+    variant.keys.push_back(text(terminal, terminal_meaning(type, terminal)));
+  for (const lumped::ElementParameter& parameter : type.parameters) variant.keys.push_back(key_of(parameter));
+  return variant;
+}
+
+lumped::ElementSpec element_of(const CaseTable& table)
+{
+  lumped::ElementSpec element;
+  element.name = table.text("name");
+  element.type = table.text("type");
+  const lumped::ElementType* type = lumped::find_element_type(element.type);
+  for (const std::string& terminal : type->terminals) element.nodes[terminal] = table.text(terminal);
+  for (const lumped::ElementParameter& p : type->parameters) {
+    if (!table.has(p.name)) continue;
+    switch (p.kind) {
+      case lumped::ParameterKind::number:
+        element.numbers[p.name] = table.real(p.name);
+        break;
+      case lumped::ParameterKind::list:
+        element.lists[p.name] = table.reals(p.name);
+        break;
+      case lumped::ParameterKind::word:
+        element.words[p.name] = table.text(p.name);
+        break;
+    }
+  }
+  return element;
+}
+
 }  // namespace
 
-KeySection surrogate_section()
+Section surrogate_section()
 {
-  // From the 3D run of cases/aortic_root at h = 10/96 (docs/use/surrogate.md); the closed orifice hardly leaks.
-  const std::map<std::string, double> calibrated{{"area_open_cm2", 3.1},     {"area_closed_cm2", 1e-3},
-                                                 {"length_cm", 1.0},         {"opening_1_mmHg_s", 44.0},
-                                                 {"closing_1_mmHg_s", 2.95}, {"R_mmHg_s_ml", 0.0},
-                                                 {"L_mmHg_s2_ml", 0.0027}};
-  KeySection section{
+  BoundKeys<Case> keys;
+  for (const lumped::ElementParameter& p : lumped::find_element_type("orifice_valve")->parameters)
+    if (Case{}.surrogate.contains(p.name))  // the density is that of [fluid]
+      keys.emplace_back(
+          key_of(p), [=](const Case& c) { return CaseValue(c.surrogate.at(p.name)); },
+          [=](Case& c, const CaseValue& value) { c.surrogate.at(p.name) = std::get<double>(value); });
+  return bound_section<Case, Case>(
       "surrogate",
       "The 0D element that stands for the 3D root in `run --lumped` and `time.start = \"periodic\"`; "
       "see `valsalva calibrate`",
-      {}};
-  for (lumped::ElementParameter p : lumped::find_element_type("orifice_valve")->parameters) {
-    const auto value = calibrated.find(p.name);
-    if (value == calibrated.end()) continue;  // the density is that of [fluid]
-    p.default_number = value->second;
-    section.keys.push_back(key_of(p));
-  }
-  return section;
+      std::identity{}, keys);
 }
 
-KeyArray element_array()
+Array element_array()
 {
   KeyArray array{"element",
                  "An element of the lumped network; elements meet at nodes of the same name",
                  {text("name", "Unique name of the element")},
                  {}};
-  for (const lumped::ElementType& type : lumped::element_types()) {
-    std::vector<Key> keys;
-    for (const std::string& terminal : type.terminals) {
-      const bool only_one = type.terminals.size() == 1;
-      keys.push_back(text(terminal, only_one ? "Node the element is joined to"
-                                             : "Node at the element's " +
-                                                   std::string(terminal == "from" ? "inlet" : "outlet")));
-    }
-    for (const lumped::ElementParameter& parameter : type.parameters) keys.push_back(key_of(parameter));
-    array.variants.push_back({type.name, type.meaning, keys});
-  }
-  return array;
+  for (const lumped::ElementType& type : lumped::element_types()) array.variants.push_back(variant_of(type));
+  return {array, [](Case& c, const std::vector<CaseTable>& tables) {
+            for (const CaseTable& table : tables) c.network.elements.push_back(element_of(table));
+          }};
 }
 
 }  // namespace valsalva::setup

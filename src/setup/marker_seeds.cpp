@@ -6,33 +6,31 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/error.hpp"
 #include "ib3d/structure/aortic_root/root_shape.hpp"
-#include "setup/build_model.hpp"
 
 namespace valsalva::setup {
 
 namespace {
 
 /// Of the narrowest opening; 0 where there is an aortic root, whose lumen is known.
-double radius_without_root(const CaseFile& c, const ib3d::Domain& domain)
+double radius_without_root(const Case& c)
 {
-  if (c.section("structure").text("kind") == "aortic_root") return 0;
+  if (c.structure.kind == StructureKind::aortic_root) return 0;
   double narrowest = 0;
-  for (const ib3d::Opening& o : openings_from_case(c, domain))
+  for (const ib3d::Opening& o : c.openings)
     narrowest = narrowest > 0 ? std::min(narrowest, o.radius) : o.radius;
   return narrowest;
 }
 
-/// What an entry says about its planes; the radius is that of the disc, or of the lumen at an angle and a height.
+/// What a group says about its planes; the radius is that of the disc, or of the lumen at an angle and a height.
 struct Planes {
-  Planes(const CaseFile& c, const CaseTable& t, const ib3d::Domain& domain, double h)
-      : root(root_dimensions_from_case(c, domain)),
-        spacing(t.real("spacing_cm")),
-        disc_radius(t.real("radius_cm") > 0 ? t.real("radius_cm") : radius_without_root(c, domain)),
-        wall_spacing(h),
-        heights(t.reals("z_cm")),
-        centre(t.has("center_cm") ? t.reals("center_cm") : c.section("root").reals("center_cm"))
+  Planes(const Case& c, const MarkerGroup& group)
+      : root(c.structure.root),
+        spacing(group.spacing_cm),
+        disc_radius(group.radius_cm > 0 ? group.radius_cm : radius_without_root(c)),
+        wall_spacing(ib3d::finest_spacing(c.domain, c.grid.finest_cm, c.grid.refinement.levels)),
+        heights(group.z_cm),
+        centre(group.centre_cm ? *group.centre_cm : std::array{root.centre[0], root.centre[1]})
   {
   }
   double radius(double angle, double z) const
@@ -63,41 +61,45 @@ struct Planes {
   ib3d::RootDimensions root;
   double spacing, disc_radius, wall_spacing;
   const std::vector<double>& heights;
-  const std::vector<double>& centre;
+  std::array<double, 2> centre;
 };
 
 }  // namespace
 
-std::vector<ib3d::MarkerSeed> marker_seeds_from_case(const CaseFile& c, const ib3d::Domain& domain, double h)
+std::vector<CaseProblem> marker_problems(const Case& c)
 {
-  std::vector<ib3d::MarkerSeed> seeds;
   std::vector<CaseProblem> problems;
-  for (const CaseTable& t : c.tables("markers")) {
-    ib3d::MarkerSeed seed{t.text("name"), {}, t.real("start_s"), t.real("every_s")};
-    if (t.has("end_s")) seed.end_s = t.real("end_s");
-    if (seed.end_s < seed.start_s)
-      problems.push_back(t.problem("end_s", fmt::format("is {:g} s, before start_s = {:g} s; use a later end",
-                                                        seed.end_s, seed.start_s)));
-    for (double z : t.reals("z_cm"))
-      if (z > domain.size[2])
-        problems.push_back(
-            t.problem("z_cm", fmt::format("has a plane at {:g} cm, but the box ends at {:g} cm; "
-                                          "use heights inside the box",
-                                          z, domain.size[2])));
-    const Planes planes(c, t, domain, h);
+  for (const MarkerGroup& group : c.markers) {
+    const auto add = [&](const std::string& key, const std::string& message) {
+      problems.push_back({"", 0, 0, "markers." + group.name + "." + key, message});
+    };
+    if (group.end_s < group.start_s)
+      add("end_s",
+          fmt::format("is {:g} s, before start_s = {:g} s; use a later end", group.end_s, group.start_s));
+    for (double z : group.z_cm)
+      if (z > c.domain.size[2])
+        add("z_cm",
+            fmt::format("has a plane at {:g} cm, but the box ends at {:g} cm; use heights inside the box", z,
+                        c.domain.size[2]));
+    const Planes planes(c, group);
+    if (planes.disc_radius == 0 && !group.centre_cm) continue;  // inside the wall, which must lie in the box
     const double reach = planes.largest_radius();
     for (std::size_t d = 0; d < 2; ++d)
-      if (planes.centre[d] < reach || planes.centre[d] + reach > domain.size[static_cast<int>(d)])
-        problems.push_back(t.problem(
-            "radius_cm",
+      if (const double size = c.domain.size[static_cast<int>(d)];
+          planes.centre[d] < reach || planes.centre[d] + reach > size)
+        add("radius_cm",
             fmt::format("puts markers outside the box: they would reach from {:.4g} to {:.4g} cm along "
                         "{}, the box from 0 to {:.4g} cm; use a smaller disc",
-                        planes.centre[d] - reach, planes.centre[d] + reach, "xy"[d],
-                        domain.size[static_cast<int>(d)])));
-    if (problems.empty()) seed.points = planes.points();
-    seeds.push_back(std::move(seed));
+                        planes.centre[d] - reach, planes.centre[d] + reach, "xy"[d], size));
   }
-  if (!problems.empty()) throw CaseError(problems);
+  return problems;
+}
+
+std::vector<ib3d::MarkerSeed> marker_seeds(const Case& c)
+{
+  std::vector<ib3d::MarkerSeed> seeds;
+  for (const MarkerGroup& group : c.markers)
+    seeds.push_back({group.name, Planes(c, group).points(), group.start_s, group.every_s, group.end_s});
   return seeds;
 }
 

@@ -3,13 +3,15 @@
 
 #include <vector>
 
-#include "casefile/case_file.hpp"
 #include "ib3d/interaction/markers.hpp"
+#include "setup/case.hpp"
 
 namespace valsalva::setup {
 
-/// One seed per entry; h is the finest spacing (cm), by which markers of a lumen keep away from the wall. Throws
-/// CaseError with every entry that cannot be.
-std::vector<ib3d::MarkerSeed> marker_seeds_from_case(const CaseFile& c, const ib3d::Domain& domain, double h);
+/// Groups whose planes or discs leave the box, or whose times are over before they begin.
+std::vector<CaseProblem> marker_problems(const Case& c);
+
+/// One seed per group of a case without such problems. Markers of a lumen keep a cell away from the wall.
+std::vector<ib3d::MarkerSeed> marker_seeds(const Case& c);
 
 }  // namespace valsalva::setup

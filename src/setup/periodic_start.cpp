@@ -40,21 +40,11 @@ lumped::LumpedState taken_over(const lumped::LumpedNetwork& from, const lumped::
   return taken;
 }
 
-}  // namespace
-
-NetworkStart network_start(const CaseFile& c, lumped::NetworkSpec spec)
+/// `spec` is past its start-up.
+NetworkStart periodic_start(const Case& c, const lumped::NetworkSpec& spec)
 {
-  const CaseTable& time = c.section("time");
-  if (time.text("start") == "rest") {
-    lumped::LumpedState state = lumped::LumpedNetwork(spec).initial_state();
-    return {std::move(spec), std::move(state), 0.0, ""};
-  }
-  if (!(time.real("period_s") > 0.0))
-    throw CaseError(
-        {time.problem("start", "is \"periodic\", but time.period_s is 0; set it to the length of a beat")});
-  const lumped::NetworkSpec twin = past_start_up(lumped_network_from_case(c));
+  const lumped::NetworkSpec twin = past_start_up(lumped_network(c));
   const lumped::LimitCycle cycle = lumped::find_limit_cycle(twin);
-  spec = past_start_up(std::move(spec));
   NetworkStart start{spec, taken_over(lumped::LumpedNetwork(twin), cycle.start, lumped::LumpedNetwork(spec)),
                      0.0, ""};
   start.text = fmt::format("start      from the periodic 0D state, found in {} Newton step{}",
@@ -68,14 +58,32 @@ NetworkStart network_start(const CaseFile& c, lumped::NetworkSpec spec)
       lumped::sample_beat(twin, cycle, {}, {aortic.flow, aortic.p_ventricle, aortic.p_aorta}, times);
   const double flow = beat.values(0, 0), peak = beat.values.col(0).maxCoeff();
   if (!spec.ports.empty() && std::abs(flow) > kRestingFlow * peak)
-    throw CaseError({time.problem(
-        "start", fmt::format("is \"periodic\", but {:.3g} ml/s pass the root when the beat begins (peak "
-                             "{:.3g}) and the fluid starts at rest; shift the sources so that t = 0 is in "
-                             "diastole",
-                             flow, peak))});
+    throw CaseError(
+        "time.start",
+        fmt::format("is \"periodic\", but {:.3g} ml/s pass the root when the beat begins (peak {:.3g}) "
+                    "and the fluid starts at rest; shift the sources so that t = 0 is in diastole",
+                    flow, peak));
   start.valve_load_mmHg = beat.values(0, 2) - beat.values(0, 1);
   start.text += fmt::format("; stroke volume there {:.1f} ml, load of the valve {:.1f} mmHg",
                             beat.integrals[0], start.valve_load_mmHg);
+  return start;
+}
+
+}  // namespace
+
+NetworkStart network_start(const Case& c, lumped::NetworkSpec spec, const Communicator& comm)
+{
+  const bool at_rest = c.time.start == Start::rest;
+  if (!at_rest) spec = past_start_up(std::move(spec));
+  NetworkStart start{spec, lumped::LumpedNetwork(spec).initial_state(), 0.0, ""};
+  if (at_rest) return start;
+  std::vector<double> load{0.0};
+  const auto find = [&] {
+    start = periodic_start(c, spec);
+    load = {start.valve_load_mmHg};
+  };
+  common::on_rank_0(comm, find, load);
+  start.valve_load_mmHg = load[0];
   return start;
 }
 

@@ -8,9 +8,9 @@
 
 #include <string>
 
-#include "casefile/case_file.hpp"
+#include "common/comm.hpp"
 #include "lumped/network/lumped_state.hpp"
-#include "lumped/network/network_spec.hpp"
+#include "setup/case.hpp"
 
 namespace valsalva::setup {
 
@@ -24,7 +24,8 @@ struct NetworkStart {
 
 /// The start of `spec`, the network of a 3D or a 0D run of `c`. CaseError without time.period_s, with a source
 /// that does not repeat, or if blood flows through a 3D root when the beat begins; SolverError if no periodic
-/// state is found.
-NetworkStart network_start(const CaseFile& c, lumped::NetworkSpec spec);
+/// state is found. Rank 0 computes: the others have its load, but neither its state, which they get from
+/// coupling::Circulation, nor its text. Collective.
+NetworkStart network_start(const Case& c, lumped::NetworkSpec spec, const Communicator& comm);
 
 }  // namespace valsalva::setup

@@ -2,44 +2,42 @@
 
 #include <fmt/format.h>
 
-#include "common/error.hpp"
-#include "setup/network_from_case.hpp"
-
 namespace valsalva::setup {
 
-RootPorts root_ports(const CaseFile& c)
+RootPorts root_ports(const Case& c)
 {
-  const std::vector<CaseTable>& openings = c.tables("opening");
   RootPorts ports;
-  for (const CaseTable& o : openings) {
-    const bool is_inlet = o.text("side") == "z_lo";
-    (is_inlet ? ports.inlet : ports.outlet) = o.text("name");
-    (is_inlet ? ports.inlet_node : ports.outlet_node) = o.text("port");
+  for (const ib3d::Opening& o : c.openings) {
+    const bool is_outlet = ib3d::is_high(o.side);
+    (is_outlet ? ports.outlet : ports.inlet) = o.name;
+    (is_outlet ? ports.outlet_node : ports.inlet_node) = o.port;
   }
-  if (openings.size() != 2 || ports.inlet.empty() || ports.outlet.empty())
+  if (c.openings.size() != 2 || ports.inlet.empty() || ports.outlet.empty())
     throw CaseError(
         "opening",
-        fmt::format("is there {} time{}; the 0D surrogate of a root joins one opening on z_lo to one on "
-                    "z_hi. Run this case in 3D, or give it these two openings.",
-                    openings.size(), openings.size() == 1 ? "" : "s"));
+        fmt::format("appears {} time{}; the 0D surrogate of a root joins one opening on z_lo to one on "
+                    "z_hi. Run this case in 3D, or give it these two openings",
+                    c.openings.size(), c.openings.size() == 1 ? "" : "s"));
   return ports;
 }
 
-lumped::ElementSpec surrogate_element(const CaseFile& c)
+lumped::ElementSpec surrogate_element(const Case& c)
 {
   const RootPorts ports = root_ports(c);
-  lumped::ElementSpec root{
-      kSurrogateName, "orifice_valve", {{"from", ports.inlet_node}, {"to", ports.outlet_node}}, {}, {}, {}};
-  const CaseTable& keys = c.section("surrogate");
-  for (const casefile::Key& key : keys.keys()) root.numbers[key.name] = keys.real(key.name);
-  root.numbers["density_g_cm3"] = c.section("fluid").real("density_g_cm3");
+  lumped::ElementSpec root{kSurrogateName,
+                           "orifice_valve",
+                           {{"from", ports.inlet_node}, {"to", ports.outlet_node}},
+                           c.surrogate,
+                           {},
+                           {}};
+  root.numbers["density_g_cm3"] = c.fluid.density;
   return root;
 }
 
-lumped::NetworkSpec lumped_network_from_case(const CaseFile& c)
+lumped::NetworkSpec lumped_network(const Case& c)
 {
-  lumped::NetworkSpec spec = network_from_case(c);
-  if (spec.ports.empty()) return spec;
+  lumped::NetworkSpec spec = c.network;
+  if (c.is_lumped()) return spec;
   spec.ports.clear();
   spec.elements.push_back(surrogate_element(c));
   return spec;

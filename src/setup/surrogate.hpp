@@ -6,8 +6,7 @@
 
 #include <string>
 
-#include "casefile/case_file.hpp"
-#include "lumped/network/network_spec.hpp"
+#include "setup/case.hpp"
 
 namespace valsalva::setup {
 
@@ -21,13 +20,13 @@ struct RootPorts {
 };
 
 /// CaseError unless there is one opening on z_lo and one on z_hi.
-RootPorts root_ports(const CaseFile& c);
+RootPorts root_ports(const Case& c);
 
 /// CaseError as `root_ports`.
-lumped::ElementSpec surrogate_element(const CaseFile& c);
+lumped::ElementSpec surrogate_element(const Case& c);
 
 /// The case as a 0D network: its elements and, in place of the 3D root, the surrogate; no ports. A case without
 /// openings is that already. CaseError as `root_ports`.
-lumped::NetworkSpec lumped_network_from_case(const CaseFile& c);
+lumped::NetworkSpec lumped_network(const Case& c);
 
 }  // namespace valsalva::setup

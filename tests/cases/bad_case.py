@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Runs `valsalva check` and `valsalva run` on a bad case and holds exit code and message against the case's comments.
+"""Runs `valsalva check` and `valsalva run` on an invalid case and compares exit code and message with the case's comments.
 
     bad_case.py VALSALVA CASE.toml
 
-A line `# expect: WORDS` asks that one line of the message holds WORDS; `@` stands for "line:column" of the place right
-below a line `# here:COLUMN`.
+A line `# expect: WORDS` requires WORDS in one line of the message; `@` stands for "line:column" of the line below
+`# here:COLUMN`.
 """
 import pathlib
 import re
@@ -45,7 +45,7 @@ def main(program, case_name):
         found = failures([program, "check", str(case)], wanted)
         found += failures([program, "run", str(case), "-o", out], wanted)
         if pathlib.Path(out).exists():
-            found.append("a refused case left an output folder behind")
+            found.append("a rejected case left an output folder behind")
     print("\n".join(found))
     return 1 if found else 0
 

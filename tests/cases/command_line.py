@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The command line as a user meets it: version, help, mistakes, overrides, output folders.
+"""The command line: version, help, errors, overrides, output folders.
 
     command_line.py VALSALVA ROOT
 """
@@ -42,7 +42,7 @@ with tempfile.TemporaryDirectory() as scratch:
     expect(["run", root_case, "-o", occupied], 2, "is not empty")
     expect(["run", root_case, "-o", occupied, "--force"], 2, "holds no run of Valsalva")
     if not (occupied / "thesis.tex").exists():
-        found.append("--force removed a folder that is none of ours")
+        found.append("--force removed a folder that is not the output of a run")
 
 print("\n".join(found))
 sys.exit(1 if found else 0)

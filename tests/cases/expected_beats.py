@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Runs a 0D case and holds its beats.csv against the numbers in its expected.toml, to 0.1 %.
+"""Runs a 0D case and compares its beats.csv with its expected.toml, to 0.1 %.
 
     expected_beats.py VALSALVA CASE_FOLDER
 """

@@ -1,6 +1,5 @@
 #!/usr/bin/python3
-"""`valsalva fit` as a user meets it: a pressure trace of a run is fitted back to the parameters of that run; mistakes are
-answered with sentences.
+"""`valsalva fit`: a fit to the pressure trace of a run recovers the parameters of that run; errors give clear messages.
 
     fit_case.py VALSALVA ROOT
 """
@@ -40,7 +39,7 @@ def expect(result, code, words):
 
 
 def last_beat(traces, period):
-    """Time from the beat's beginning and aortic pressure of the last whole beat, every tenth row."""
+    """Time from the start of the beat and aortic pressure of the last whole beat, every tenth row."""
     with open(traces, newline="") as file:
         rows = list(csv.DictReader(file))
     begin = float(rows[-1]["t_s"]) - period

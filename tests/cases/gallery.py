@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""The cases of the gallery differ from the healthy adult as their diseases do.
+"""The cases of the gallery differ from the healthy adult as expected of their diseases.
 
-    gallery.py VALSALVA ROOT circulation    heart and arteries: the 0D twins of hypertension, stiff aorta, exercise
-    gallery.py VALSALVA ROOT stenosis       its valve opens less, in a short 3D run on a very coarse grid
-    gallery.py VALSALVA ROOT regurgitation  its closed valve leaks under load, in a short 3D run on the coarse grid
-    gallery.py VALSALVA ROOT whole          every case in 3D as it stands, and its expected.toml (minutes each)
+    gallery.py VALSALVA ROOT circulation    heart and arteries: hypertension, stiff aorta, exercise in 0D
+    gallery.py VALSALVA ROOT stenosis       the valve opens less, in a short 3D run on a very coarse grid
+    gallery.py VALSALVA ROOT regurgitation  the closed valve leaks under load, in a short 3D run on the coarse grid
+    gallery.py VALSALVA ROOT whole          every case in 3D, compared with its expected.toml (minutes each)
 """
 import csv
 import json
@@ -16,7 +16,7 @@ import tomllib
 
 import numpy as np
 
-TOLERANCE = 0.03  # of numbers in expected.toml, for other compilers and processors
+TOLERANCE = 0.03  # relative to expected.toml; allows for other compilers and processors
 CASES = ["healthy_adult", "hypertension", "stiff_aorta", "exercise", "aortic_stenosis", "aortic_regurgitation"]
 
 program, root, what = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
@@ -42,7 +42,7 @@ def run(case, out, overrides, *options):
 
 
 def beat_of(out):
-    """The last beat, with what follows from its numbers."""
+    """The last beat, with derived quantities."""
     beat = rows(out / "beats.csv")[-1]
     return beat | {"pulse_pressure_mmHg": beat["p_ao_systolic_mmHg"] - beat["p_ao_diastolic_mmHg"],
                    "backflow_ml": beat["closing_volume_ml"] + beat["leak_volume_ml"],
@@ -50,7 +50,7 @@ def beat_of(out):
 
 
 def compare_circulations(beats):
-    """What a change of heart or arteries does to pressures and output."""
+    """Checks the effect of changes of heart or arteries on pressures and output."""
     healthy, hypertension = beats["healthy_adult"], beats["hypertension"]
     for name in ("p_ao_systolic_mmHg", "p_ao_diastolic_mmHg", "p_ao_mean_mmHg"):
         expect(hypertension[name] > healthy[name] + 15, f"hypertension: {name} {hypertension[name]}, "
@@ -74,7 +74,7 @@ def leaflets_of(case):
 
 
 def stenosis(scratch):
-    """In cases/aortic_root the ventricle's pressure does not answer to the valve."""
+    """In cases/aortic_root the ventricular pressure is prescribed, so the valve alone differs."""
     flow, area = {}, {}
     for case in ("healthy_adult", "aortic_stenosis"):
         out = run("aortic_root", scratch / case, leaflets_of(case) + ["grid.finest_cm=0.25", "time.end_s=0.2"])
@@ -85,7 +85,7 @@ def stenosis(scratch):
 
 
 def regurgitation(scratch):
-    """The closed valve under the pressure of the aorta alone. Coarser grids seal the gap: the smeared leaflets fill it."""
+    """The closed valve under the aortic pressure alone. On coarser grids the smeared leaflets seal the gap."""
     leak = {}
     for case in ("healthy_adult", "aortic_regurgitation"):
         out = run("aortic_root", scratch / case,
@@ -102,7 +102,7 @@ def whole(scratch):
     for case in CASES:
         end = ["time.end_s=0.8"] if case == "healthy_adult" else []
         beats[case] = beat_of(run(case, scratch / case, end))
-        if case == "healthy_adult":  # not its first beat, but its periodic one is expected
+        if case == "healthy_adult":  # its expected.toml is for the periodic beat, not the first
             continue
         expected = tomllib.loads((root / "cases" / case / "expected.toml").read_text())
         for column, number in expected[f"beat_{beats[case]['beat']:.0f}"].items():

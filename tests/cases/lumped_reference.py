@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Holds a 0D run against the independent integration in reference/: all states at every millisecond, the times at which
-valves switch, the stroke volume, and in a closed loop the total volume.
+"""Compares a 0D run with the independent integration in reference/: all states at every millisecond, the switching times
+of the valves, the stroke volume and, in a closed loop, the total volume.
 
     lumped_reference.py VALSALVA ROOT left_heart|resistive_valves|prescribed_pressure|four_chambers
 """
@@ -51,7 +51,7 @@ initial_pressure_mmHg = 85.0
 
 
 def case_of(name, root):
-    """TOML of the case, the model and how long to run."""
+    """TOML of the case, its model and the end of the run."""
     heart = (root / "cases" / "lumped_heart" / "case.toml").read_text()
     if name == "prescribed_pressure":
         return PRESCRIBED, LeftHeart, 0.8
@@ -96,7 +96,7 @@ def main(program, root, name):
     found = [(row["valve"], row["open"]) for row in switches]
     expected = [(model.valves[v], "1" if opens else "0") for _, v, opens in events]
     if found != expected:
-        offences.append(f"order of the switchings: {found} instead of {expected}")
+        offences.append(f"switching order: {found} instead of {expected}")
     else:
         compare("event times (s)", [float(row["t_s"]) for row in switches], [t for t, _, _ in events], 1.0)
     if name == "four_chambers":

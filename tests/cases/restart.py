@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Runs that end before their time and are continued: they arrive where the uninterrupted run does, bit for bit.
+"""Runs that are interrupted and continued match the uninterrupted run bit for bit.
 
     restart.py VALSALVA ROOT killed|stopped|extended|refused
 """
@@ -29,7 +29,7 @@ def expect(holds, message):
 
 
 def start(out, *more, end_s=END_S):
-    """The coarse aortic root with a pressure that rises at once, and a checkpoint after every step."""
+    """The coarse aortic root with a pressure that rises immediately, and a checkpoint after every step."""
     command = [program, "run", str(root / "cases" / "aortic_root"), "-o", str(out)]
     for key in ["grid.finest_cm=0.208333", "output.pictures=false", "output.fields_every_s=0.004", "time.period_s=0.8",
                 "output.structure_every_s=0.004", "checkpoint.every_wall_s=1e-9",
@@ -46,7 +46,7 @@ def end(process, code=0):
 
 
 def checkpoints(out, ending=".h5"):
-    """Step -> file of the complete checkpoints, or with ".h5.part" of those under way."""
+    """{step: file} of the complete checkpoints, or with ".h5.part" of those being written."""
     return {int(path.name.split("_")[1].split(".")[0]): path for path in out.glob(f"checkpoints/*{ending}")}
 
 
@@ -64,7 +64,7 @@ def arrays(path):
 
 def expect_same_arrays(a, b, but=()):
     one, other = arrays(a), arrays(b)
-    expect(one.keys() == other.keys(), f"{b.name} holds other arrays than in the uninterrupted run")
+    expect(one.keys() == other.keys(), f"{b.name} has other arrays than the uninterrupted run")
     for name in one.keys() - set(but):
         expect(numpy.array_equal(one[name], other.get(name)), f"{b.name}: {name} differs from the uninterrupted run")
 
@@ -77,8 +77,8 @@ def rows(path):
 
 def expect_same_end(whole, out):
     for name in ["step.csv", "openings.csv", "probes.csv", "beats.csv"]:
-        expect(rows(whole / name) == rows(out / name), f"{name} is not that of the uninterrupted run")
-    expect(abs(float(rows(out / "openings.csv")[-1][0]) - END_S) < 1e-9, "openings.csv does not reach the end")
+        expect(rows(whole / name) == rows(out / name), f"{name} differs from the uninterrupted run")
+    expect(abs(float(rows(out / "openings.csv")[-1][0]) - END_S) < 1e-9, "openings.csv does not reach the end time")
     for name in ["fields/fields.hdf.series", "structure/leaflets.hdf.series"]:
         expect((whole / name).read_text() == (out / name).read_text(), f"{name} differs")
         for entry in json.loads((out / name).read_text())["files"]:
@@ -111,15 +111,15 @@ def killed(whole, out):
         process.kill()
         process.wait()
         torn += bool(checkpoints(out, ".h5.part"))
-    print(f"{torn} of {KILLS} kills left a torn checkpoint")
-    expect(torn > 0, "no kill met a checkpoint that was being written")
+    print(f"{torn} of {KILLS} kills left an incomplete checkpoint")
+    expect(torn > 0, "no kill hit a checkpoint that was being written")
     end(start(out, "--restart", "latest", "--force"))
     expect_same_end(whole, out)
-    expect(not checkpoints(out, ".h5.part"), "torn checkpoints were left behind")
+    expect(not checkpoints(out, ".h5.part"), "incomplete checkpoints were left behind")
 
 
 def stopped(whole, out):
-    """SIGTERM leaves a checkpoint and says how to continue; what it says can be typed."""
+    """SIGTERM writes a checkpoint and prints the command that continues the run; this command works."""
     end(start(whole))
     process = start(out, "--set", "checkpoint.every_wall_s=0")
     wait_until(lambda: (out / "fields" / "fields_0001.hdf").exists(), process)
@@ -129,29 +129,29 @@ def stopped(whole, out):
     expect(float(t) < END_S, f"the run was not stopped: it is at {t} s")
     expect(len(checkpoints(out)) == 1, f"checkpoints: {sorted(checkpoints(out))}")
     told = [line for line in said.splitlines() if line.startswith("to continue: valsalva ")]
-    expect(len(told) == 1 and str(*checkpoints(out).values()) in said, f"said nothing of how to continue:\n{said}")
+    expect(len(told) == 1 and str(*checkpoints(out).values()) in said, f"no command to continue:\n{said}")
     wall_before = json.loads((out / "run.json").read_text())["wall_s"]
     again = [program] + shlex.split(told[0])[3:]
-    expect("continued  from" in end(subprocess.Popen(again, stdout=-1, stderr=-1, text=True)), "no word of the continuation")
+    expect("continued  from" in end(subprocess.Popen(again, stdout=-1, stderr=-1, text=True)), "the continuation is not reported")
     expect_same_end(whole, out)
     expect(json.loads((out / "run.json").read_text())["wall_s"] > wall_before, "the wall time of the first part is lost")
     log = (out / "log.txt").read_text()
-    expect("stopped at" in log and "continued  from" in log, "log.txt has not both parts")
+    expect("stopped at" in log and "continued  from" in log, "log.txt does not contain both parts")
 
 
 def extended(whole, out):
-    """A finished run goes on to a later end as if it had been meant from the start."""
+    """A finished run that is extended matches one with the later end from the start."""
     end(start(whole))
     end(start(out, end_s=0.008))
-    expect(rows(out / "beats.csv")[-1][0] == "1", "no row of the beat under way at the end")
+    expect(rows(out / "beats.csv")[-1][0] == "1", "no row for the last, incomplete beat")
     end(start(out, "--restart", "latest"))
     expect_same_end(whole, out)
-    end(start(out, "--restart", "latest"))  # nothing is left to do
+    end(start(out, "--restart", "latest"))  # nothing left to do
     expect_same_end(whole, out)
 
 
 def refused(whole, out):
-    """Another case, and checkpoints that cannot be read."""
+    """Restarts of another case and from unreadable checkpoints are refused."""
     end(start(whole))
     before = rows(whole / "step.csv")
     said = end(start(whole, "--restart", "latest", "--set", "fluid.viscosity_g_cm_s=0.05"), 2)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How a run ends, as a user sees it: exit code, messages and complete files.
+"""How a run ends: exit code, messages and complete files.
 
     run_ends.py VALSALVA ROOT finished|interrupted|blown_up
 """
@@ -21,11 +21,11 @@ def expect(holds, message):
 
 
 def table(path):
-    """Header and rows of a CSV file, of which every row must be whole, every value a number, and time increasing."""
+    """Header and rows of a CSV file; every row must be complete, every value a number, and time increasing."""
     text = path.read_text()
-    expect(text.endswith("\n"), f"{path.name}: the last line is cut off")
+    expect(text.endswith("\n"), f"{path.name}: the last line is incomplete")
     header, *rows = (line.split(",") for line in text.splitlines())
-    expect(all(len(row) == len(header) for row in rows), f"{path.name}: a row has not as many values as the header")
+    expect(all(len(row) == len(header) for row in rows), f"{path.name}: a row has another number of values than the header")
     if "dt_bound" in header:  # the only column of words
         bound = header.index("dt_bound")
         words = {"longest", "cfl", "elastic", "viscous", "growth", "output", "fixed"}
@@ -79,13 +79,13 @@ def three_d_tables(out):
 def interrupted(out):
     """Ctrl-C in the middle of a 3D run."""
     process = start("aortic_root", out, "grid.finest_cm=0.208333", "output.fields_every_s=0.002")
-    for _ in range(600):  # under way once a first field after t = 0 is there
+    for _ in range(600):  # the run has started once there is a field after t = 0
         if len(list((out / "fields").glob("*.hdf"))) > 1 or process.poll() is not None:
             break
         time.sleep(0.1)
     process.send_signal(signal.SIGINT)
     said = end(process, 0)
-    expect("stopped" in said[0] + said[1], "no word of the signal")
+    expect("stopped" in said[0] + said[1], "the signal is not reported")
     header, rows = three_d_tables(out)
     expect(len(rows) > 2 and rows[-1][header.index("t_s")] < 0.8, f"{len(rows)} rows of step.csv")
     record = json.loads((out / "run.json").read_text())
@@ -96,7 +96,7 @@ def interrupted(out):
 
 
 def blown_up(out):
-    """Fixed steps far beyond the elastic bound, refused at once, and a ventricle so strong that the flow outruns the step."""
+    """Fixed steps beyond the elastic bound are refused at once; a very strong ventricle makes the flow blow up later."""
     surge = ["element.ventricle.time_s=[0.0, 0.002, 0.01]", "element.ventricle.pressure_mmHg=[0.0, 0.0, 20000.0]"]
     for dt, more, cause, least_steps in [("0.01", [], "stable step", 0), ("0.0008", [], "stable step", 0),
                                          ("0.0001", surge, "blown up", 20)]:

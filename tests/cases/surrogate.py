@@ -1,6 +1,5 @@
 #!/usr/bin/python3
-"""A 3D case in 0D as a user meets it: `run --lumped`, `calibrate`, `time.start = "periodic"`, `compare`; mistakes are answered
-with sentences.
+"""A 3D case in 0D: `run --lumped`, `calibrate`, `time.start = "periodic"`, `compare`; errors give clear messages.
 
     surrogate.py VALSALVA ROOT
 """
@@ -30,7 +29,7 @@ def rows(path):
 
 
 def lumped_run_and_calibration(folder):
-    """The traces of a --lumped run, dressed as those of a 3D run, give the surrogate back."""
+    """Calibration to the traces of a --lumped run, disguised as a 3D run, recovers the surrogate."""
     case, lumped, as_3d = root / "cases" / "aortic_root", folder / "lumped", folder / "root"
     truth = {"area_open_cm2": 2.5, "closing_1_mmHg_s": 4.0}
     expect(0, "results in", "run", case, "--lumped", "-o", lumped, *NO_PICTURES,
@@ -48,7 +47,7 @@ def lumped_run_and_calibration(folder):
 
     expect(0, "information matrix: rank 3 of 3", "calibrate", as_3d, "-o", folder / "calibrated")
     estimates = {e["name"]: e["value"] for e in json.loads((folder / "calibrated" / "fit.json").read_text())["estimates"]}
-    for key, value in truth.items():  # between its rows the pressure is not linear
+    for key, value in truth.items():  # the pressure is not linear between rows
         if not abs(estimates[f"aortic_root.{key}"] / value - 1) <= 1e-3:
             found.append(f"{key} is {estimates[f'aortic_root.{key}']}, expected {value}")
     if not (folder / "calibrated" / "fit.png").is_file():
@@ -66,7 +65,7 @@ def lumped_run_and_calibration(folder):
 
 
 def periodic_start(folder):
-    """Beats from the periodic state are all the same."""
+    """From the periodic state all beats are equal."""
     out = folder / "periodic"
     expect(0, "from the periodic 0D state, found in", "run", root / "cases" / "lumped_heart", "-o", out, "--set",
            "time.start=periodic", "--set", "time.end_s=1.6", *NO_PICTURES)

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
+#include "common/error.hpp"
 #include "lumped/specs.hpp"
 
 namespace valsalva::coupling {
@@ -12,6 +14,8 @@ namespace valsalva::coupling {
 namespace {
 
 using namespace lumped::testing;
+
+const Communicator kAlone(MPI_COMM_SELF);
 
 constexpr double kDt = 2e-3;
 
@@ -29,7 +33,8 @@ TEST(Circulation, ClosureWithWindkesselAndSourceIsTheClosedForm)
   Circulation circulation(
       {{pressure_table("ventricle", "lv", {0, 0.1}, {80, 120}), windkessel("arteries", "ao", Rc, Rp, C, Pc)},
        {"lv", "ao"},
-       0.0});
+       0.0},
+      kAlone);
   const std::vector<double> Q{-50, 50};
   const Eigen::Vector2d Q0(-190, 190), p_used(100, 90);
   const Eigen::Matrix2d G = response(0.003);
@@ -64,7 +69,8 @@ TEST(Circulation, ClosureHoldsWithAVentricleAndAMitralValveThatShutsInTheStep)
     Circulation circulation({{pressure_source("veins", "la", 8), valve("mitral", "la", "lv", 0.005),
                               chamber("ventricle", "lv", 135), windkessel("arteries", "ao")},
                              {"lv", "ao"},
-                             0.8});
+                             0.8},
+                            kAlone);
     for (int n = 0; n < 20; ++n) {
       expect_closed(circulation, {flow, -flow}, Eigen::Vector2d(flow, -flow), response(0.003));
       circulation.advance(kDt, {flow, -flow}, {flow, -flow});
@@ -74,12 +80,21 @@ TEST(Circulation, ClosureHoldsWithAVentricleAndAMitralValveThatShutsInTheStep)
 
 TEST(Circulation, AskingForPressuresChangesNothing)
 {
-  Circulation circulation(lumped::testing::aortic_root());
+  Circulation circulation(lumped::testing::aortic_root(), kAlone);
   circulation.advance(0.06, {0, 0}, {-30, 30});
   const lumped::LumpedState before = circulation.state();
   circulation.mean_pressures(kDt, {-30, 30}, Eigen::Vector2d(-60, 60));
   circulation.close(kDt, {-30, 30}, Eigen::Vector2d(-60, 60), response(0.003), Eigen::Vector2d(0, 0));
   EXPECT_EQ(circulation.state(), before);
+}
+
+TEST(Circulation, APressureThatIsNoNumberDoesNotCountAsConvergence)
+{
+  Circulation circulation(lumped::testing::aortic_root(), kAlone);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(
+      circulation.close(kDt, {0, 0}, Eigen::Vector2d(-30, 30), response(0.003), Eigen::Vector2d(0, nan)),
+      SolverError);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ inline lumped::NetworkSpec tube_network(const TubeLoad& load)
 
 struct TubeModel {
   TubeModel(const lumped::NetworkSpec& network, CouplingScheme scheme, const StepControl& control)
-      : circulation(network),
+      : circulation(network, Communicator(MPI_COMM_SELF)),
         grid(ib3d::walled_box(kTubeSize), kTubeSize[0] / 8, MPI_COMM_SELF),
         root(grid, ib3d::both_ends(kTubeSize), {1.06, 0.0, ib3d::Advection::none}, {"multilevel", 1e-10, 50},
              std::make_unique<ib3d::FibreModel>(ib3d::FibreNetwork{}), ib3d::StructureScheme::leapfrog,

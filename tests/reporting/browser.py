@@ -1,4 +1,4 @@
-"""What headless Chromium makes of a page: its width against the window's, and whether all its pictures have loaded."""
+"""Renders a page in headless Chromium: its width against that of the window, and whether all pictures load."""
 import json
 import re
 import shutil
@@ -18,7 +18,7 @@ def executable():
 
 
 def look(page, width, scratch, screenshot=None, height=4000):
-    """{wide, broken, pictures, time} of `page` in a frame of `width` pixels: Chromium's windows are never narrow."""
+    """{wide, broken, pictures, time} of `page` in a frame of `width` pixels; Chromium has a minimum window width, frames do not."""
     probed, frame = Path(scratch, "probed.html"), Path(scratch, "frame.html")
     probed.write_text(page.read_text().replace("</body>", PROBE + "</body>"))
     frame.write_text(FRAME.format(page=probed.as_uri(), width=width, height=height))

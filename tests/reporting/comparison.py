@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Comparisons of made-up beats with known numbers.
+"""Comparisons of synthetic beats with known statistics.
 
     comparison.py VALSALVA ROOT
 """
@@ -24,7 +24,7 @@ def expect_near(value, exact, tolerance, what):
         found.append(f"{what}: {value}, expected {exact}")
 
 
-# The numbers of a trace are those of the closed form.
+# The statistics of a trace match the closed form.
 t = np.linspace(0, 0.8, 8001)
 beat = beat_of_trace(t, example.flow(t), p_ao=80 + 10 * t, p_lv=84 + 10 * t)
 for column, exact, tolerance in [
@@ -39,7 +39,7 @@ with tempfile.TemporaryDirectory() as scratch:
     one, two, data, out = (Path(scratch, name) for name in ("one", "two", "late.csv", "both"))
     example.write(one)
     example.write(two, scale=1.2)
-    # The first run's beat, measured 0.25 s later in its period: it begins and ends during diastole.
+    # The beat of the first run, measured 0.25 s later in its period: it begins and ends during diastole.
     late = example.flow(t - 0.25)
     example.write_csv(data, {"t_s": t, "Q_ao_ml_s": late, "p_ao_mmHg": 80 + 0.05 * late})
     run = subprocess.run([program, "compare", one, two, "--data", data, "-o", out, "--html"], capture_output=True,
@@ -52,7 +52,7 @@ with tempfile.TemporaryDirectory() as scratch:
     expect_near(float(rows["stroke volume"]["two"]), 1.2 * stroke, 1e-6, "scaled run")
     expect_near(float(rows["stroke volume"]["late"]), stroke, 0.01, "data")
     expect_near(float(rows["shift in time"]["late"]), -0.25, 2e-3, "shift of the data")
-    # Aligned, the delayed beat differs by nothing, the scaled one by a fifth of the flow's root mean square.
+    # Once aligned, the delayed beat does not differ; the scaled one differs by a fifth of the rms flow.
     square = 0.5 * (example.PEAK ** 2 * 0.3 + example.BACK ** 2 * 0.05) / 0.8
     expect_near(float(rows["rms difference, flow"]["two"]), 0.2 * np.sqrt(square), 0.1, "rms difference of scaled flow")
     expect_near(float(rows["rms difference, flow"]["late"]), 0, 2, "rms difference of the delayed flow")

@@ -1,4 +1,4 @@
-"""A small made-up run folder: a beat whose numbers are known in closed form, three flat leaflets, two grid levels.
+"""A small synthetic run folder: a beat with statistics in closed form, three flat leaflets, two grid levels.
 
 Flow: forward q = PEAK sin(pi (t - 0.1)/0.3) from 0.1 to 0.4 s, back q = -BACK sin(pi (t - 0.4)/0.05) until 0.45 s,
 then zero until 0.8 s.
@@ -26,7 +26,7 @@ def write_csv(path, columns):
 
 
 def write(out, scale=1.0, outcome="finished"):
-    """The run folder `out`, its flow multiplied by `scale`."""
+    """Writes the run folder `out`, with the flow multiplied by `scale`."""
     for folder in ("fields", "structure"):
         (out / folder).mkdir(parents=True)
     t = np.linspace(0, 0.8, 1601)
@@ -107,7 +107,7 @@ def _markers(path, time):
 
 
 def _fields(path, time):
-    """Level 0: 4 x 4 x 10 cells of 1 cm; level 1: the middle, 4 x 4 x 20 of 0.5 cm. Pressure is 10 z mmHg."""
+    """Level 0: 4 x 4 x 10 cells of 1 cm; level 1: the centre, 4 x 4 x 20 of 0.5 cm. Pressure is 10 z mmHg."""
     with h5py.File(path, "w") as file:
         root = file.create_group("VTKHDF")
         root.attrs["Origin"] = np.zeros(3)

@@ -1,4 +1,4 @@
-"""The page of scripts/draw_gallery.py for two made-up runs.
+"""The page of scripts/draw_gallery.py for two synthetic runs.
 
     gallery_page.py VALSALVA ROOT
 """

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""ParaView opens what a run writes: the same numbers as h5py reads, all times, and the standard view.
+"""ParaView opens the output of a run: the same numbers as h5py reads, all times, and the standard view.
 
     paraview.py VALSALVA ROOT
-Ends with 77 where pvpython or xvfb-run is missing (apt-get install python3-paraview xvfb).
+Exit code 77 (skipped) without pvpython or xvfb-run (apt-get install python3-paraview xvfb).
 """
 import json
 import shutil
@@ -56,7 +56,7 @@ def ranges(values):
 
 
 def check_grid(seen, path):
-    """A file of points and cells."""
+    """Compares a file of points and cells."""
     with h5py.File(path, "r") as file:
         data = file["VTKHDF"]
         points = data["Points"][:]
@@ -71,7 +71,7 @@ def check_grid(seen, path):
 
 
 def check_fields(seen, path):
-    """Levels with boxes: the ranges over all cells that no finer level covers lie within those of all cells."""
+    """Compares a file of levels and boxes: number of cells, bounds and the ranges over all cells."""
     with h5py.File(path, "r") as file:
         levels = [file["VTKHDF"][name] for name in file["VTKHDF"]]
         cells = sum(len(level["CellData/pressure_mmHg"]) for level in levels)
@@ -111,7 +111,7 @@ with tempfile.TemporaryDirectory() as scratch:
         check_grid(seen["markers.hdf.series"], out / "structure/markers_0002.hdf")
         check_grid(seen["wall.hdf"], out / "structure/wall.hdf")
         expect(seen["markers_0000.hdf"]["points"] == 0, "a file without markers has some")
-    for _ in range(4):  # xvfb-run waits three seconds for its server, which a busy machine may not start in time
+    for _ in range(4):  # xvfb-run waits three seconds for its server, which may be too short on a busy machine
         view = run("xvfb-run", "-a", "pvpython", root / "scripts/paraview_view.py", out, "-o", picture)
         if "bad X server" not in view.stderr:
             break

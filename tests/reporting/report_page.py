@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The report of a made-up run: complete, self-contained, its numbers those of the run.
+"""The report of a synthetic run is complete and self-contained and shows the numbers of the run.
 
     report_page.py VALSALVA ROOT
 """
@@ -26,7 +26,7 @@ def expect(truth, words):
 
 
 class Page(HTMLParser):
-    """Collects what a page would load, and the numbers of its opened and closed elements."""
+    """Collects what a page would load, and the balance of its opening and closing tags."""
 
     def __init__(self, text):
         super().__init__()
@@ -50,32 +50,32 @@ def page_of(out, code=0):
 
 
 with tempfile.TemporaryDirectory() as scratch:
-    whole, going, lumped = (Path(scratch, name) for name in ("whole", "going", "lumped"))
+    whole, running, lumped = (Path(scratch, name) for name in ("whole", "running", "lumped"))
     example_run.write(whole)
     text = page_of(whole)
     page = Page(text)
-    expect(page.depth == 0, f"{page.depth} elements of the page are left open")
+    expect(page.depth == 0, f"{page.depth} elements of the page are not closed")
     expect(len(page.sources) >= 12, f"only {len(page.sources)} pictures")
     expect(all(s.startswith("data:image/") for s in page.sources), "a picture is not inside the page")
-    expect(not re.search(r"https?://|url\(|@import|fetch\(|XMLHttp", text), "the page refers to something outside")
+    expect(not re.search(r"https?://|url\(|@import|fetch\(|XMLHttp", text), "the page refers to an outside resource")
     frames = json.loads(re.search(r'id="frames">(.*?)</script>', text, re.DOTALL).group(1))
     expect(len(frames["times"]) == example_run.FRAMES, f"the scrubber has {len(frames['times'])} frames")
     for view in ("above", "side", "plane"):
         expect(len(set(frames[view])) > 6, f"the images of {view} do not move")
     expect(f"{example_run.FORWARD_ML - example_run.CLOSING_ML:.1f} ml" in text, "the stroke volume is missing")
     expect("Made up &lt;b&gt;&amp; more" in text, "the title is not escaped")
-    for words in ("From the aorta", "Markers carried by the blood", "boxes of every refined level", "Where the time went", "spread", "finest_cm = 0.1"):
+    for words in ("From the aorta", "Passive markers", "boxes of every refined level", "Computing time", "spread", "finest_cm = 0.1"):
         expect(words in text, f"'{words}' is missing")
     gif = (whole / "pictures" / "valve.gif").read_bytes()
     expect(gif[:6] == b"GIF89a", "valve.gif is no GIF")
 
     z, p = centre_line.read_line(whole / "fields" / "fields_0000.hdf")
-    expect(len(z) == 20 and abs(p - 10 * z).max() < 1e-4, "the centre line is not the finest level's pressure 10 z")
+    expect(len(z) == 20 and abs(p - 10 * z).max() < 1e-4, "the centre line is not the pressure 10 z of the finest level")
 
-    example_run.write(going, outcome="running")
-    text = page_of(going)
-    expect("Still running" in text, "a run that goes on is not named so")
-    expect(f"{example_run.FORWARD_ML:.1f} ml" in text, "no numbers of a first beat that goes on")
+    example_run.write(running, outcome="running")
+    text = page_of(running)
+    expect("Still running" in text, "a running run is not reported as running")
+    expect(f"{example_run.FORWARD_ML:.1f} ml" in text, "no statistics during the first beat")
 
     example_run.write(lumped)
     for name in ("fields", "structure"):
@@ -83,7 +83,7 @@ with tempfile.TemporaryDirectory() as scratch:
     for name in ("probes.csv", "step.csv", "log.txt"):
         (lumped / name).unlink()
     text = page_of(lumped)
-    expect("Pressures and flow" in text and "From the aorta" not in text, "a 0D run's page is wrong")
+    expect("Pressures and flow" in text and "From the aorta" not in text, "the page of a 0D run is wrong")
 
     empty = Path(scratch, "empty")
     empty.mkdir()

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""A report in a browser at 1280 and 400 px: no overflow, every picture loads, the movie is at work.
+"""A report in a browser at 1280 and 400 px: no overflow, every picture loads, the movie works.
 
     screens.py VALSALVA ROOT [PAGE SCREENSHOT_FOLDER]
 
-With a page: also keeps its screenshots. Exit code 77 (skipped) without Chromium.
+With PAGE it also saves screenshots. Exit code 77 (skipped) without Chromium.
 """
 import subprocess
 import sys
@@ -42,7 +42,7 @@ with tempfile.TemporaryDirectory() as scratch:
             elif seen["broken"]:
                 found.append(f"{page.name} at {width} px: {seen['broken']} pictures did not load")
             elif page.stem == "report" and not seen["time"].endswith(" s"):
-                found.append("the movie does not tell its time")
+                found.append("the movie does not show its time")
 
 print("\n".join(found))
 sys.exit(1 if found else 0)

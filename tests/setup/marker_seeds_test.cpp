@@ -8,31 +8,25 @@
 
 #include "common/max_or_nan.hpp"
 #include "ib3d/structure/aortic_root/root_shape.hpp"
-#include "setup/build_model.hpp"
-#include "setup/case_keys.hpp"
+#include "setup/read_case.hpp"
 
 namespace valsalva::setup {
 
-using namespace coupling;
 namespace {
 
-std::vector<ib3d::MarkerSeed> seeds_of(const CaseFile& c, double h)
-{
-  return marker_seeds_from_case(c, domain_from_case(c), h);
-}
-
-CaseFile root_case(const std::vector<std::string>& overrides)
+Case root_case(const std::vector<std::string>& overrides)
 {
   const auto file = std::filesystem::path(VALSALVA_SOURCE_DIR) / "cases/aortic_root/case.toml";
-  return CaseFile::read(file.string(), case_keys(), overrides);
+  return read_case(file.string(), overrides);
 }
 
 TEST(MarkerSeeds, FillTheLumenOfTheRootACellShortOfTheWall)
 {
-  const double h = 0.1, spacing = 0.05;
-  const CaseFile c = root_case({"markers.aorta.z_cm=[1.5, 4.2]", "markers.aorta.spacing_cm=0.05"});
-  const ib3d::RootDimensions root = root_dimensions_from_case(c, domain_from_case(c));
-  const std::vector<ib3d::MarkerSeed> seeds = seeds_of(c, h);
+  const double h = 0.15625, spacing = 0.05;
+  const Case c =
+      root_case({"markers.aorta.z_cm=[1.5, 4.2]", "markers.aorta.spacing_cm=0.05", "grid.finest_cm=0.15625"});
+  const ib3d::RootDimensions root = c.structure.root;
+  const std::vector<ib3d::MarkerSeed> seeds = marker_seeds(c);
   ASSERT_EQ(seeds.size(), 3U);
   EXPECT_EQ(seeds[1].name, "aorta");
   double area[2] = {0, 0}, furthest = -1e9, tube = root.annulus_radius - h;
@@ -48,9 +42,9 @@ TEST(MarkerSeeds, FillTheLumenOfTheRootACellShortOfTheWall)
 
 TEST(MarkerSeeds, LieInDiscsOfAGivenRadiusAboutAGivenCentre)
 {
-  const CaseFile c = root_case({"markers.aorta.z_cm=[1.5, 7.0]", "markers.aorta.spacing_cm=0.1",
-                                "markers.aorta.radius_cm=0.5", "markers.aorta.center_cm=[1.0, 2.0]"});
-  const ib3d::MarkerSeed seed = seeds_of(c, 0.1)[1];
+  const Case c = root_case({"markers.aorta.z_cm=[1.5, 7.0]", "markers.aorta.spacing_cm=0.1",
+                            "markers.aorta.radius_cm=0.5", "markers.aorta.center_cm=[1.0, 2.0]"});
+  const ib3d::MarkerSeed seed = marker_seeds(c)[1];
   EXPECT_EQ(seed.points.size(), 2 * 81U);  // lattice points within a circle of radius five
   for (const Vec3& X : seed.points) EXPECT_LE(std::hypot(X[0] - 1, X[1] - 2), 0.5 + 1e-12);
   EXPECT_EQ(seed.points.front()[2], 1.5);
@@ -59,9 +53,9 @@ TEST(MarkerSeeds, LieInDiscsOfAGivenRadiusAboutAGivenCentre)
 
 TEST(MarkerSeeds, WithoutAnAorticRootADiscIsAsWideAsTheNarrowestOpening)
 {
-  const CaseFile c = root_case({"structure.kind=\"none\"", "markers.aorta.z_cm=[7.0]",
-                                "markers.aorta.spacing_cm=0.05", "opening.inlet.radius_cm=0.8"});
-  const ib3d::MarkerSeed seed = seeds_of(c, 0.1)[1];
+  const Case c = root_case({"structure.kind=\"none\"", "markers.aorta.z_cm=[7.0]",
+                            "markers.aorta.spacing_cm=0.05", "opening.inlet.radius_cm=0.8"});
+  const ib3d::MarkerSeed seed = marker_seeds(c)[1];
   double furthest = 0;
   for (const Vec3& X : seed.points) furthest = max_or_nan(furthest, std::hypot(X[0] - 2.5, X[1] - 2.5));
   EXPECT_NEAR(furthest, 0.8, 0.051);

@@ -30,7 +30,7 @@ Changes beating(const Changes& more)
   return all;
 }
 
-CaseFile root_case(const Changes& changes = {}, const std::string& more = "")
+Case root_case(const Changes& changes = {}, const std::string& more = "")
 {
   return tube_case(beating(changes), more);
 }
@@ -85,7 +85,7 @@ TEST(Calibration, ABeatThatTheRunHasNotReachedIsRefused)
 
 TEST(Surrogate, ItsNetworkIsThatOfAHandWrittenCase)
 {
-  const CaseFile written = circulation_case(beating({}), R"(
+  const Case written = circulation_case(beating({}), R"(
 [[element]]
 name = "aortic_root"
 type = "orifice_valve"
@@ -100,12 +100,12 @@ R_mmHg_s_ml = 0.001
 L_mmHg_s2_ml = 0.002
 density_g_cm3 = 1.05
 )");
-  const CaseFile in_3d =
+  const Case in_3d =
       root_case({"surrogate.area_open_cm2=2.5", "surrogate.area_closed_cm2=0.002", "surrogate.length_cm=1.5",
                  "surrogate.opening_1_mmHg_s=30", "surrogate.closing_1_mmHg_s=5",
                  "surrogate.R_mmHg_s_ml=0.001", "surrogate.L_mmHg_s2_ml=0.002", "fluid.density_g_cm3=1.05"});
-  const auto state_of = [](const CaseFile& c) {
-    const lumped::LumpedNetwork network(lumped_network_from_case(c));
+  const auto state_of = [](const Case& c) {
+    const lumped::LumpedNetwork network(lumped_network(c));
     lumped::CvodeIntegrator integrator(network);
     lumped::LumpedState state = network.initial_state();
     integrator.advance(state, 0.3, {}, {});
@@ -120,17 +120,17 @@ TEST(Surrogate, NeedsOneOpeningAtEachEnd)
   const std::string second =
       "[[opening]]\nname = \"second\"\nside = \"z_hi\"\ncenter_cm = [1.0, 1.0]\nradius_cm = 0.1\nport = "
       "\"ao\"\n";
-  for (const CaseFile& c : {root_case({"opening.outlet.side=z_lo"}), root_case({"opening.inlet.side=z_hi"}),
-                            root_case({}, second), circulation_case({}, second)})
-    EXPECT_NE(complaint([&] { lumped_network_from_case(c); }).find("one opening on z_lo to one on z_hi"),
+  for (const Case& c : {root_case({"opening.outlet.side=z_lo"}), root_case({"opening.inlet.side=z_hi"}),
+                        root_case({}, second), circulation_case({}, second)})
+    EXPECT_NE(complaint([&] { lumped_network(c); }).find("one opening on z_lo to one on z_hi"),
               std::string::npos);
 }
 
 TEST(PeriodicStart, A3DRunBeginsInTheStateOfItsTwin)
 {
   Timers timers;
-  CaseModel model(root_case({"time.start=periodic"}), MPI_COMM_SELF, timers);
-  lumped::NetworkSpec twin = lumped_network_from_case(root_case());
+  CaseModel model(root_case({"time.start=periodic"}), Communicator(MPI_COMM_SELF), timers);
+  lumped::NetworkSpec twin = lumped_network(root_case());
   twin.elements[1].numbers["pressurise_s"] = 0.0;
   const lumped::LimitCycle cycle = lumped::find_limit_cycle(twin);
   const double Pc = cycle.start.y[0];
@@ -147,8 +147,8 @@ TEST(PeriodicStart, WhatHasNoPeriodicBeginningInDiastoleIsRefused)
 {
   const auto start = [](Changes changes) {
     changes.emplace_back("time.start=periodic");
-    const CaseFile c = root_case(changes);
-    network_start(c, network_from_case(c));
+    const Case c = root_case(changes);
+    network_start(c, c.network, Communicator(MPI_COMM_SELF));
   };
   EXPECT_NE(complaint([&] { start({"time.period_s=0"}); }).find("time.period_s is 0; set it"),
             std::string::npos);

@@ -6,7 +6,7 @@
 
 #include "ib3d/structure/fibres/fibre_files.hpp"
 #include "setup/build_model.hpp"
-#include "setup/case_keys.hpp"
+#include "setup/read_case.hpp"
 
 namespace valsalva::setup {
 
@@ -19,11 +19,11 @@ std::vector<Vec3> positions(double end_s, double dt, std::vector<std::string> ov
   const auto root = std::filesystem::path(VALSALVA_SOURCE_DIR) / "cases/aortic_root/case.toml";
   overrides.insert(overrides.end(), {"grid.finest_cm=0.2083333333", "pressure.divergence_tolerance_1_s=1e-8",
                                      "time.dt_fixed_s=" + std::to_string(dt)});
-  const CaseFile c = CaseFile::read(root.string(), case_keys(), overrides);
+  const Case c = read_case(root.string(), overrides);
   Timers timers;
-  CaseModel m(c, MPI_COMM_WORLD, timers);
+  CaseModel m(c, Communicator(MPI_COMM_WORLD), timers);
   while (m.model().t() < end_s - 1e-9) m.model().advance(m.model().next_step(end_s));
-  return m.root().nodes().gather(m.root().X());
+  return m.solver().nodes().gather(m.solver().X());
 }
 
 double rms_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Holds every C++ file against clang-format 14 with the project's .clang-format.
+"""Checks every C++ file with clang-format 14 and the .clang-format of the project.
 
     formatted.py ROOT        exit code 1 and the names of the files to format
 """
@@ -20,7 +20,7 @@ def main(root):
     said = subprocess.run([program, "--dry-run", "-Werror", *files], capture_output=True, text=True).stderr
     bad = sorted({line.split(":")[0] for line in said.splitlines() if "clang-format-violations" in line})
     if bad:
-        print("not formatted; repair with:\nclang-format -i " + " ".join(bad))
+        print("not formatted; fix with:\nclang-format -i " + " ".join(bad))
     return 1 if bad else 0
 
 

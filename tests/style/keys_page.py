@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Holds docs/keys.md against what the program prints.
+"""Compares docs/keys.md with what the program prints.
 
     keys_page.py ROOT VALSALVA        exit code 1 if they differ
 """
@@ -13,7 +13,7 @@ def main(root, program):
     page = pathlib.Path(root, "docs", "keys.md")
     if page.is_file() and page.read_text() == printed:
         return 0
-    print("docs/keys.md is not what the program prints; repair with:\nbuild/release/valsalva keys --markdown > docs/keys.md")
+    print("docs/keys.md is not what the program prints; update it with:\nbuild/release/valsalva keys --markdown > docs/keys.md")
     return 1
 
 

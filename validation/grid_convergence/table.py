@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The table of the README from run folders, coarsest first: table.py out/h64 out/h96 out/h128"""
+"""Prints the table of the README from run folders, coarsest first: table.py out/h64 out/h96 out/h128"""
 import json
 import re
 import sys
@@ -13,7 +13,7 @@ from drawing.run_output import phase_times, read_table  # noqa: E402
 
 
 def describe(folder):
-    """({row: text}, {row: number}) of one run."""
+    """({row: text}, {row: number}) for one run."""
     record, beat = json.loads((folder / "run.json").read_text()), last_beat_of_run(folder)
     levels = re.findall(r"^grid +(\d+) cells of ([\d.]+) cm", (folder / "log.txt").read_text(), re.M)
     table = read_table(folder / "step.csv")
@@ -29,11 +29,11 @@ def describe(folder):
         "cells per level": " + ".join(n for n, _ in levels),
         "nodes": str(record["nodes"]),
         "steps": str(record["steps"]),
-        "dt, s: median (least)": f"{np.median(steps['dt_s']):.2g} ({steps['dt_s'].min():.2g})",
-        "bounded by": ", ".join(f"{b} {share:.0f} %" for share, b in shares if share > 2),
+        "dt, s: median (minimum)": f"{np.median(steps['dt_s']):.2g} ({steps['dt_s'].min():.2g})",
+        "active bound": ", ".join(f"{b} {share:.0f} %" for share, b in shares if share > 2),
         "pressure iterations per step, mean": f"{steps['iterations'].mean():.2f}",
         "ms per step, median": f"{1e3 * np.median(steps['wall_s']):.0f}",
-        "of it, mean: " + ", ".join(per_step): ", ".join(f"{v:.1f}" for v in per_step.values()),
+        "mean by phase: " + ", ".join(per_step): ", ".join(f"{v:.1f}" for v in per_step.values()),
         "wall-clock time": f"{record['wall_s'] / 60:.1f} min",
         "memory, all ranks, MB": f"{record['peak_memory_mb']:.0f}",
     }
@@ -41,8 +41,8 @@ def describe(folder):
         "stroke volume (net), ml": beat["stroke_volume_ml"],
         "forward volume, ml": beat["forward_volume_ml"],
         "peak flow, ml/s": beat["peak_flow_ml_s"],
-        "least flow, ml/s": beat["least_flow_ml_s"],
-        "largest orifice, cm^2": beat["max_orifice_area_cm2"],
+        "minimum flow, ml/s": beat["least_flow_ml_s"],
+        "maximum orifice area, cm^2": beat["max_orifice_area_cm2"],
         "mean gradient, mmHg": beat["mean_gradient_mmHg"],
         "closing volume, ml": beat["closing_volume_ml"],
         "mean leak after closure, ml/s": beat["mean_leak_ml_s"],

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Figures 2 to 7 of AIAA 2009-158 from a run, and its statements beside what the run shows.
+"""Figures 2 to 7 of AIAA 2009-158 from a run, and the paper's statements compared with the run.
 
     figures.py RUN [-o FOLDER]
 
-Writes FOLDER/figures/figure_2.png ... figure_7.png and FOLDER/README.md, the page beside this script with its table
-filled in from the run. Without -o it does so in place. Figure 4 needs markers in RUN/structure ([[markers]] of the case).
+Writes FOLDER/figures/figure_2.png ... figure_7.png and FOLDER/README.md, a copy of the page next to this script with the
+table of the run. Without -o it updates that page in place. Figure 4 needs markers in RUN/structure ([[markers]] of the case).
 """
 import argparse
 import sys
@@ -39,12 +39,12 @@ def figure_2(out, folder):
 
 
 def figure_3(out, folder):
-    """The root with inlet tube and ascending aorta, whole and with the near half taken away."""
+    """The root with inlet tube and ascending aorta, whole and with the near half removed."""
     wall, fibers = wall_points(out), Fibers(leaflet_frames(out)[0][1])
     if wall is None:
         raise Missing("no wall")
     centre = fit_annulus(fibers)[0]
-    tilt = np.radians(18)  # seen a little from the aorta
+    tilt = np.radians(18)  # seen slightly from the aorta
     up = np.array([0, np.sin(tilt), np.cos(tilt)])
     eye = np.array([0, -np.cos(tilt), np.sin(tilt)])
     figure, axes = plt.subplots(1, 2, figsize=(0.8 * style.PAGE_WIDTH, 7.0))
@@ -53,7 +53,7 @@ def figure_3(out, folder):
         shown = shown[np.argsort(shown @ eye)]
         outward = shown[:, :2] - centre[:2]
         outward /= np.linalg.norm(outward, axis=1, keepdims=True)
-        # lit from the front left; where the far side is seen from within, its inner face is lit
+        # lit from the front left; the far side shows its inner face
         facing = np.where((outward[:, 1] < 0)[:, None], outward, -outward)
         light = 0.52 + 0.40 * np.clip(facing @ [-0.55, -0.83], 0, 1)
         panel.scatter(shown[:, 0], shown @ up, s=4.5, c=np.stack([light, light, 1.02 * light], axis=1), linewidths=0)
@@ -64,18 +64,18 @@ def figure_3(out, folder):
         panel.set_aspect("equal")
         panel.set_axis_off()
         style.letter(panel, letter)
-        panel.text(0.08, 1.02, "near half taken away" if is_cut else "wall", transform=panel.transAxes)
+        panel.text(0.08, 1.02, "near half removed" if is_cut else "wall", transform=panel.transAxes)
     figure.tight_layout(pad=0.4)
     style.save(figure, folder, "figure_3")
 
 
 def figure_4(out, folder):
-    """Passive markers just before and after opening, just before and after closing, near the plane y of the axis."""
+    """Passive markers near the plane through the axis: just before and after opening, just before and after closing."""
     markers.draw(out, folder, "figure_4")
 
 
 def figure_5(out, folder):
-    """Pressure on the centre line at the paper's four instants."""
+    """Pressure on the centre line at the four instants of the paper."""
     centre_line.draw_lines(out, statements.line_frames(out), folder, "figure_5")
 
 
@@ -86,7 +86,7 @@ def figure_6(out, folder):
 
 
 def figure_7(out, folder):
-    """Flow through the valve, and the paper's two zooms."""
+    """Flow through the valve, and the two enlargements of the paper."""
     t, q = statements.valve_flow(out)
     closing.draw_zooms(t, q, ((t[0], t[-1]), *ZOOMS), "valve", folder, "figure_7")
 
@@ -94,7 +94,7 @@ def figure_7(out, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("run", type=Path, help="output folder of a run of the paper's protocol")
-    parser.add_argument("-o", "--out", type=Path, default=HERE, help="where README.md and figures/ go")
+    parser.add_argument("-o", "--out", type=Path, default=HERE, help="folder for README.md and figures/")
     arguments = parser.parse_args()
     folder = arguments.out / "figures"
     folder.mkdir(parents=True, exist_ok=True)
@@ -107,7 +107,7 @@ def main():
             drawn[number] = draw.__doc__
             print(f"figure {number}: drawn")
         except Missing as reason:
-            print(f"figure {number}: left out, {reason}")
+            print(f"figure {number}: skipped, {reason}")
     try:
         statements.fill_page(HERE / "README.md", arguments.out / "README.md", arguments.run, drawn)
     except (Missing, OSError) as reason:

@@ -1,4 +1,4 @@
-"""What the paper states about each figure, beside the numbers of a run."""
+"""The paper's statements about each figure, with the numbers of a run."""
 import json
 import tomllib
 
@@ -16,13 +16,13 @@ BEGIN, END = "<!-- from the run: begin -->", "<!-- from the run: end -->"
 
 
 def valve_flow(out):
-    """(t, flow through the valve in ml/s): the probe beyond the valve where there is one."""
+    """(t, flow through the valve in ml/s), from the probe downstream of the valve."""
     probes = read_table(out / "probes.csv")
     return probes["t_s"], probes["Q_valve_ml_s"]
 
 
 def equal_pressures(out):
-    """The instant at which the ventricle's pressure first reaches the aorta's."""
+    """(instant of the maximum load, instant at which the ventricular pressure first reaches the aortic one)."""
     table = read_table(out / "openings.csv")
     t, load = table["t_s"], table["p_ao_mmHg"] - table["p_lv_mmHg"]
     loaded = int(np.argmax(load[:np.argmax(table["Q_outlet_ml_s"])]))
@@ -33,7 +33,7 @@ def equal_pressures(out):
 
 
 def line_frames(out):
-    """[(what, time, path)]: the frames of fields nearest to the paper's four instants."""
+    """[(what, time, path)]: the frames of fields nearest to the four instants of the paper."""
     loaded, equal = equal_pressures(out)
     instants = dict(story(out)[2:])
     wanted = [("closed, loaded", loaded), ("before opening", equal), ("open", instants.get("peak flow")),
@@ -43,7 +43,7 @@ def line_frames(out):
 
 
 def rows(out):
-    """[(figure, the paper's statement, what the run shows)]"""
+    """[(figure, statement of the paper, result of the run)]"""
     return _flow_rows(out) + _pressure_rows(out) + _grid_rows(out)
 
 
@@ -52,21 +52,20 @@ def _flow_rows(out):
     if beat is None:
         raise Missing("no complete beat in beats.csv")
     t, q = valve_flow(out)
-    frequency, decay = ring(t, q, beat["closing_s"])
+    frequency, decay = ringing(t, q, beat["closing_s"])
     return [
         ("7", "stroke volume about 90 ml", f"{beat['stroke_volume_ml']:.1f} ml net, "
          f"{beat['forward_volume_ml']:.1f} ml forward"),
         ("7", "peak flow near 30 l/min", f"{0.06 * beat['peak_flow_ml_s']:.1f} l/min"),
         ("7", "backflow near 10 l/min at closure", f"{-0.06 * beat['least_flow_ml_s']:.1f} l/min, "
          f"closing volume {beat['closing_volume_ml']:.1f} ml"),
-        ("7", "oscillation at closure (the second heart sound)", f"{frequency:.0f} Hz, amplitude falls by "
-         f"{decay:.0f} per second (exponent); its pitch is set by wall and valve compliance against the column of "
-         "blood"),
-        ("7", "smooth when zoomed", f"least flow at {1e3 * least(t, q):.0f} ms; in the ten milliseconds around it the "
-         f"second difference between steps is {100 * roughness(t, q):.2g} % of the flow's range (rms)"),
+        ("7", "oscillation at closure (the second heart sound)", f"{frequency:.0f} Hz, decaying as "
+         f"exp(-{decay:.0f} t/s); the frequency is set by the compliance of wall and valve against the column of blood"),
+        ("7", "smooth when zoomed", f"minimum flow at {1e3 * least(t, q):.0f} ms; in the ten milliseconds around it the "
+         f"second difference between steps is {100 * roughness(t, q):.2g} % of the range of the flow (rms)"),
         ("7", "no backflow while closed", f"mean {beat['mean_leak_ml_s']:.2f} ml/s after closure; in the last tenth of "
          f"the run {np.mean(q[t > t[0] + 0.9 * np.ptp(t)]):.2f} ml/s"),
-        ("4", "low resistance when open", f"largest orifice {beat['max_orifice_area_cm2']:.2f} cm², mean gradient "
+        ("4", "low resistance when open", f"maximum orifice area {beat['max_orifice_area_cm2']:.2f} cm², mean gradient "
          f"{beat['mean_gradient_mmHg']:.1f} mmHg from end to end of the model"),
     ]
 
@@ -76,12 +75,12 @@ def least(t, q):
 
 
 def roughness(t, q):
-    """Rms second difference between steps over the range of q, within 5 ms of the least flow."""
+    """Rms second difference between steps over the range of q, within 5 ms of the minimum flow."""
     near = q[np.abs(t - least(t, q)) < 0.005]
     return float(np.sqrt(np.mean(np.diff(near, 2) ** 2)) / max(np.ptp(near), 1e-9)) if len(near) > 3 else np.nan
 
 
-def ring(t, q, closing):
+def ringing(t, q, closing):
     """(frequency in Hz, decay rate in 1/s) of the flow over the 0.15 s after closing, from its extrema."""
     after = (t > closing) & (t < closing + 0.15)
     t, q = t[after], q[after]
@@ -104,7 +103,7 @@ def _pressure_rows(out):
             throat = (z > annulus) & (z < annulus + 6)
             dip = int(np.argmin(np.where(throat, p, np.inf)))
             said.append(("5", "open valve: almost no drop, a dip just downstream, recovery towards the outlet",
-                         f"at {t:.2f} s {before:.0f} mmHg 1 cm below the annulus, least {p[dip]:.0f} mmHg "
+                         f"at {t:.2f} s {before:.0f} mmHg 1 cm below the annulus, minimum {p[dip]:.0f} mmHg "
                          f"{z[dip] - annulus:.1f} cm above it, {end:.0f} mmHg 1 cm before the outlet"))
         elif what == "before opening":
             said.append(("5", "equal pressures just before opening", f"at {t:.2f} s {before:.0f} and {after:.0f} mmHg "
@@ -117,7 +116,7 @@ def _pressure_rows(out):
 
 
 def _grid_rows(out):
-    """Nodes that lie outside of the finest level in any frame of the fields that has a frame of the structure."""
+    """Counts nodes outside the finest level in the frames of the fields that have a frame of the structure."""
     shapes, wall = leaflet_frames(out), wall_points(out)
     outside = frames = levels = 0
     for t, path in read_series(out / "fields"):
@@ -136,10 +135,10 @@ def _grid_rows(out):
                 inside |= np.all((places >= box.lo) & (places <= box.hi + 1), axis=1)
         outside, frames = outside + int(np.sum(~inside)), frames + 1
     return [("6", "three levels, the finest covers the structure",
-             f"{levels} level{'s' if levels > 1 else ''}; {outside} nodes outside of the finest in {frames} frames")]
+             f"{levels} level{'s' if levels > 1 else ''}; {outside} nodes outside the finest in {frames} frames")]
 
 
-def _what_ran(out):
+def _settings(out):
     resolved = (out / "case.resolved.toml").read_text()
     case, facts = tomllib.loads(resolved), json.loads((out / "run.json").read_text())
     grid, fluid = case["grid"], case["fluid"]
@@ -149,10 +148,10 @@ def _what_ran(out):
 
 
 def fill_page(template, target, out, drawn):
-    """Writes `template` to `target` with the part between the marks made anew from the run."""
+    """Writes `template` to `target`, with the part between the marks regenerated from the run."""
     head, _, rest = template.read_text().partition(BEGIN)
     tail = rest.partition(END)[2]
-    lines = [_what_ran(out), "", "| figure | the paper | this run |", "|---|---|---|"]
+    lines = [_settings(out), "", "| figure | the paper | this run |", "|---|---|---|"]
     lines += [f"| {figure} | {stated} | {found} |" for figure, stated, found in rows(out)] + [""]
     for number, what in drawn.items():
         lines += [f"**Figure {number}.** {what}", "", f"![Figure {number}](figures/figure_{number}.png)", ""]

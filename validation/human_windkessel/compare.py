@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Fits the human type-A beat with three and four elements and compares with the published parameters.
+"""Fits Windkessels of three and four elements to the human type-A beat and compares them with the published parameters.
 
-    compare.py [VALSALVA] [DATA]      writes result.md and the pictures beside this file; exit code 1 outside the tolerance
+    compare.py [VALSALVA] [DATA]      writes result.md and the pictures next to this file; exit code 1 outside the tolerance
 
-Without the data file nothing is done (exit code 0).
+Without the data file the script does nothing (exit code 0).
 """
 import json
 import pathlib
@@ -30,7 +30,7 @@ def fit(program, data, case, out):
 
 
 def table(case, result):
-    """Markdown rows and the largest relative deviation from the published numbers."""
+    """Markdown rows and the maximum relative deviation from the published parameters."""
     rows, worst = [], 0.0
     for estimate in result["estimates"]:
         key = estimate["name"].split(".")[1]
@@ -62,7 +62,7 @@ def main():
     (HERE / "result.md").write_text("\n".join(lines) + "\n")
     print("\n".join(lines))
     if worst > TOLERANCE:
-        print(f"a parameter is {100 * worst:.1f} % off the published one; allowed are {100 * TOLERANCE:.0f} %")
+        print(f"a parameter deviates from the published one by {100 * worst:.1f} %; {100 * TOLERANCE:.0f} % is allowed")
         return 1
     return 0
 

@@ -19,8 +19,8 @@ struct FluidParameters {
   double density = 1.0;     ///< rho, g/cm^3
   double viscosity = 0.04;  ///< mu, g/(cm s)
   Advection advection = Advection::xsppm7;
-  double convection_cfl =
-      0;  ///< sum of CFL numbers over the steps that share one evaluation of convection; 0: none do
+  /// Largest sum of CFL numbers over the steps that share one evaluation of convection; 0: none do.
+  double convection_cfl = 0.4;
   ViscosityScheme viscosity_scheme = ViscosityScheme::explicit_;
 };
 

@@ -13,12 +13,12 @@ BalanceState balance_state(const lumped::LumpedNetwork& network, const lumped::L
 
 BalanceState balance_state(const coupling::CoupledModel& model)
 {
-  const ib3d::NavierStokes& fluid = model.root().fluid();
+  const ib3d::NavierStokes& fluid = model.solver().fluid();
   BalanceState s = balance_state(model.circulation().network(), model.circulation().state());
   s.root_work_mJ = common::mJ_from_mmHg_ml(model.pressure_work());
   s.root_kinetic_inflow_mJ = common::mJ_from_mmHg_ml(model.kinetic_inflow());
   s.root_energy_mJ = common::mJ_from_erg(
-      ib3d::kinetic_energy(fluid.grid(), fluid.u(), fluid.fluid().density) + model.root().elastic_energy());
+      ib3d::kinetic_energy(fluid.grid(), fluid.u(), fluid.fluid().density) + model.solver().elastic_energy());
   return s;
 }
 

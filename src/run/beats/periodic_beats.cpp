@@ -5,20 +5,8 @@
 #include <cmath>
 
 #include "common/max_or_nan.hpp"
-#include "setup/network_from_case.hpp"
 
 namespace valsalva::run {
-
-PeriodicBeats::PeriodicBeats(const CaseFile& c)
-    : tolerance_(c.section("time").real("stop_when_periodic_within")), period_s_(setup::beat_length(c))
-{
-  const CaseTable& time = c.section("time");
-  if (tolerance_ > 0 && time.real("period_s") == 0)
-    throw CaseError(
-        {time.problem("stop_when_periodic_within",
-                      "asks to compare beats, but without time.period_s the whole run is one beat; give "
-                      "time.period_s, e.g. 0.8, or leave this key out")});
-}
 
 std::string PeriodicBeats::add(const BeatMetrics& beat)
 {

@@ -6,7 +6,6 @@
 
 #include <string>
 
-#include "casefile/case_file.hpp"
 #include "common/checkpoint.hpp"
 #include "run/beats/beat_metrics.hpp"
 
@@ -14,8 +13,8 @@ namespace valsalva::run {
 
 class PeriodicBeats {
  public:
-  /// CaseError where the case wants to stop by itself but names no heart period.
-  explicit PeriodicBeats(const CaseFile& c);
+  /// `tolerance` 0: never reached; `period_s` of a whole beat.
+  PeriodicBeats(double tolerance, double period_s) : tolerance_(tolerance), period_s_(period_s) {}
 
   /// Takes note of a beat that has ended; returns the line about it for the log.
   std::string add(const BeatMetrics& beat);

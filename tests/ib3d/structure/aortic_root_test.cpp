@@ -186,28 +186,5 @@ TEST(AorticRoot, FreeEdgesRunFromCommissureToCommissure)
   }
 }
 
-TEST(AorticRoot, NamesEveryImpossibleDimensionAtOnce)
-{
-  RootDimensions root;
-  root.sinus_end_z = 4.0;
-  root.sinus_bulge = -0.1;
-  LeafletMaterial leaflets;
-  leaflets.radial_stiffness = 0.0;
-  try {
-    build_aortic_root(root, leaflets, WallMaterial{}, kH);
-    FAIL() << "nothing was thrown";
-  } catch (const CaseError& error) {
-    std::vector<std::string> keys;
-    for (const CaseProblem& problem : error.problems()) keys.push_back(problem.key);
-    EXPECT_EQ(keys, (std::vector<std::string>{"root.sinus_end_z_cm", "root.sinus_bulge_cm",
-                                              "leaflets.radial_stiffness_dyn_cm"}));
-  }
-}
-
-TEST(AorticRoot, RefusesAGridTooCoarseForItsLeaflets)
-{
-  EXPECT_THROW(build_aortic_root(kRoot, LeafletMaterial{}, WallMaterial{}, 0.5), CaseError);
-}
-
 }  // namespace
 }  // namespace valsalva::ib3d

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include "common/comm.hpp"
@@ -55,13 +56,45 @@ TEST(Ranks, ErrorOfOneRankAtTheEndIsTheCodeOfAll)
   EXPECT_EQ(end_together(comm, last_rank_fails), 4);
 }
 
-TEST(OnRoot, AFailureOfRankZeroIsAFailureOfAllRanks)
+TEST(OnRankZero, AFailureOfRankZeroIsAFailureOfAllRanks)
 {
   const Communicator comm;
   int runs = 0;
   on_rank_0(comm, [&] { ++runs; });
   EXPECT_EQ(comm.sum(runs), 1);
   EXPECT_THROW(on_rank_0(comm, [] { throw IoError("the disk is full"); }), IoError);
+  EXPECT_THROW(on_rank_0(comm, [] { throw SolverError("no convergence"); }), SolverError);
+  EXPECT_THROW(on_rank_0(comm, [] { throw CaseError("time.end_s", "is negative"); }), CaseError);
+  EXPECT_THROW(on_rank_0(comm, [] { throw std::logic_error("wrong"); }), std::exception);
+}
+
+TEST(OnRankZero, ItsNumbersAreThoseOfAllRanks)
+{
+  const Communicator comm;
+  std::vector<double> values{-1.0, 1.0 * comm.rank()};
+  on_rank_0(
+      comm,
+      [&] {
+        values = {1.0 / 3.0, 2.0};
+      },
+      values);
+  EXPECT_EQ(values, (std::vector<double>{1.0 / 3.0, 2.0}));
+  EXPECT_THROW(on_rank_0(
+                   comm, [&] { std::filesystem::remove("/proc/self/status"); }, values),
+               std::exception);
+}
+
+TEST(NoteFailure, RankZeroNotesWhatAllRanksFailWith)
+{
+  const Communicator comm;
+  int notes = 0;
+  EXPECT_THROW(note_failure(
+                   comm, [] { throw IoError("on all"); }, [&] { ++notes; }),
+               IoError);
+  EXPECT_EQ(notes, comm.is_rank_0() ? 1 : 0);
+  note_failure(
+      comm, [] {}, [&] { ++notes; });
+  EXPECT_EQ(comm.sum(notes), 1);
 }
 
 }  // namespace valsalva::common

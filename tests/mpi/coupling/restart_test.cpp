@@ -9,7 +9,7 @@
 #include "furthest_apart.hpp"
 #include "ib3d/output/mpi_session.hpp"
 #include "setup/build_model.hpp"
-#include "setup/case_keys.hpp"
+#include "setup/read_case.hpp"
 
 namespace valsalva::coupling {
 
@@ -20,10 +20,10 @@ namespace {
 /// answer to the flow from the start.
 struct Root {
   Root(MPI_Comm comm_, const std::vector<std::string>& more = {})
-      : comm(comm_), model(make_case(more), comm, timers)
+      : comm(comm_), model(make_case(more), Communicator(comm), timers)
   {
   }
-  static CaseFile make_case(const std::vector<std::string>& more)
+  static Case make_case(const std::vector<std::string>& more)
   {
     const auto file = std::filesystem::path(VALSALVA_SOURCE_DIR) / "cases/aortic_root/case.toml";
     std::vector<std::string> keys{"grid.finest_cm=0.2083333333",
@@ -34,7 +34,7 @@ struct Root {
                                   "markers.aorta.every_s=0.002",
                                   "element.arteries.initial_pressure_mmHg=0.0"};
     keys.insert(keys.end(), more.begin(), more.end());
-    return CaseFile::read(file.string(), case_keys(), keys);
+    return read_case(file.string(), keys);
   }
   void run(int steps)
   {
@@ -52,8 +52,8 @@ struct Root {
     model.model().save_or_restore(c);
   }
   const InterfaceState& interface() { return model.model().interface(); }
-  std::vector<ib3d::Marker> markers() { return model.root().markers().gather(comm); }
-  std::vector<Vec3> X() { return model.root().nodes().gather(model.root().X()); }
+  std::vector<ib3d::Marker> markers() { return model.solver().markers().gather(comm); }
+  std::vector<Vec3> X() { return model.solver().nodes().gather(model.solver().X()); }
 
   MPI_Comm comm;
   Timers timers;
@@ -63,7 +63,7 @@ struct Root {
 
 std::vector<std::vector<double>> local_fields(Root& root)
 {
-  const ib3d::NavierStokes& fluid = root.model.root().fluid();
+  const ib3d::NavierStokes& fluid = root.model.solver().fluid();
   std::vector<std::vector<double>> all;
   for (std::size_t l = 0; l < fluid.u().size(); ++l)
     for (int p = 0; p < fluid.p()[l].patch_count(); ++p) {

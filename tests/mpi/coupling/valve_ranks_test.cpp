@@ -9,7 +9,7 @@
 #include "common/max_or_nan.hpp"
 #include "furthest_apart.hpp"
 #include "setup/build_model.hpp"
-#include "setup/case_keys.hpp"
+#include "setup/read_case.hpp"
 
 namespace valsalva::coupling {
 
@@ -29,15 +29,15 @@ Outcome run(MPI_Comm comm, int steps, const std::vector<std::string>& more = {})
       "grid.finest_cm=0.2083333333", "time.dt_fixed_s=1e-4", "pressure.divergence_tolerance_1_s=1e-9",
       "element.ventricle.time_s=[0.0, 0.002, 0.15]", "element.ventricle.pressure_mmHg=[0.0, 20.0, 120.0]"};
   keys.insert(keys.end(), more.begin(), more.end());
-  const CaseFile c = CaseFile::read(root.string(), case_keys(), keys);
+  const Case c = read_case(root.string(), keys);
   Timers timers;
-  CaseModel m(c, comm, timers);
+  CaseModel m(c, Communicator(comm), timers);
   for (int n = 0; n < steps; ++n) m.model().advance(m.model().next_step(1.0));
   const InterfaceState& end = m.model().interface();
-  const ib3d::NodeDistribution& nodes = m.root().nodes();
+  const ib3d::NodeDistribution& nodes = m.solver().nodes();
   std::vector<Vec3> markers;
-  for (const ib3d::Marker& marker : m.root().markers().gather(comm)) markers.push_back(marker.X);
-  return {end.flow_ml_s, end.pressure_mmHg, m.circulation().state().y, nodes.gather(m.root().X()), markers};
+  for (const ib3d::Marker& marker : m.solver().markers().gather(comm)) markers.push_back(marker.X);
+  return {end.flow_ml_s, end.pressure_mmHg, m.circulation().state().y, nodes.gather(m.solver().X()), markers};
 }
 
 /// Largest difference over the largest value of b.

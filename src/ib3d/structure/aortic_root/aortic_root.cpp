@@ -69,9 +69,6 @@ AorticRoot design_aortic_root(const RootDimensions& root, const LeafletMaterial&
                               const WallMaterial& wall, double h,
                               const std::array<LeafletFactors, 3>& factors)
 {
-  const std::vector<CaseProblem> problems = root_problems(root, leaflets, wall, h);
-  if (!problems.empty()) throw CaseError(problems);
-
   AorticRoot whole;
   const double edge_stiffness = leaflets.edge_tether_ratio * wall.tether_stiffness * 0.25 * h * h;
   std::array<FormedLeaflet, 3> formed;

@@ -28,7 +28,8 @@ struct AorticRoot {
 };
 
 /// The root on a grid of spacing h (cm), with what is known of its leaflets' shapes. `factors` of leaflets 1, 2
-/// and 3. CaseError with every impossible dimension, SolverError if a leaflet finds no equilibrium.
+/// and 3. The dimensions must fit each other and the grid (setup/check_root.cpp); SolverError if a leaflet finds no
+/// equilibrium.
 AorticRoot design_aortic_root(const RootDimensions& root, const LeafletMaterial& leaflets,
                               const WallMaterial& wall, double h,
                               const std::array<LeafletFactors, 3>& factors = {});

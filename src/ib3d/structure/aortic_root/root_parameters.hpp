@@ -1,12 +1,7 @@
-// What an aortic root is made of: its dimensions (cm), the stiffness of its leaflets and wall, and how single
-// leaflets differ from the common material. The
-// defaults are the project's recommended set B: a tube of radius 1.15 cm with three sinuses, adult
-// dimensions. z runs along the vessel from the ventricle (z = 0) to the ascending aorta (z = length).
+// What an aortic root is made of: its dimensions (cm), the stiffness of its leaflets and wall, and how single leaflets
+// differ from the common material. The defaults are adult dimensions: a tube of radius 1.15 cm with three sinuses. z runs
+// along the vessel from the ventricle (z = 0) to the ascending aorta (z = length).
 #pragma once
-
-#include <vector>
-
-#include "common/error.hpp"
 
 namespace valsalva::ib3d {
 
@@ -41,7 +36,7 @@ struct LeafletFactors {
   double height = 1.0;     ///< of the radial rest ratio
   double free_edge = 1.0;  ///< of the free edge's rest ratio
   double fused_share =
-      0.0;  ///< of half the free edge, from the commissure on, that is grown to the next leaflet
+      0.0;  ///< of half the free edge, from the commissure on, that is fused to the next leaflet
   bool operator==(const LeafletFactors&) const = default;
 };
 
@@ -53,10 +48,5 @@ struct WallMaterial {
   int layers = 3;                   ///< half a grid spacing apart, outwards from the inner surface
   double node_spacing_ratio = 0.6;  ///< largest node distance in a layer, in grid spacings
 };
-
-/// Everything that makes these values impossible at grid spacing h (cm), keyed as in the case file; empty if
-/// fine.
-std::vector<CaseProblem> root_problems(const RootDimensions& root, const LeafletMaterial& leaflets,
-                                       const WallMaterial& wall, double h);
 
 }  // namespace valsalva::ib3d

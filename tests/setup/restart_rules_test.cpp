@@ -3,25 +3,24 @@
 
 #include "complaint.hpp"
 #include "coupling/small_cases.hpp"
-#include "run/checkpoints.hpp"
+#include "setup/same_run.hpp"
 
-namespace valsalva::run {
+namespace valsalva::setup {
 
 using namespace coupling;
-using namespace setup;
 namespace {
 
 /// A case that leaves the length of a beat to the end of the run.
-CaseFile one_beat(Changes changes = {}, const std::string& more = "")
+Case one_beat(Changes changes = {}, const std::string& more = "")
 {
   changes.insert(changes.begin(), {"time.end_s=0.5", "time.period_s=0"});
   return circulation_case(changes, more);
 }
 
 /// What check_same_run says about a case that was one_beat() with `then` and now has `now`.
-std::string refusal(const CaseFile& now, const CaseFile& then = one_beat())
+std::string refusal(const Case& now, const Case& then = one_beat())
 {
-  return complaint([&] { check_same_run(now, then, "c.h5"); });
+  return complaint([&] { check_same_run(now, then.source.resolved_toml(), "c.h5"); });
 }
 
 TEST(RestartRules, OutputCheckpointsTitleAndEndMayChange)
@@ -46,9 +45,9 @@ TEST(RestartRules, EveryKeyThatChangesTheSolutionIsNamed)
 
 TEST(RestartRules, AddedAndRemovedElementsAreNamed)
 {
-  const CaseFile more = one_beat({},
-                                 "[[element]]\nname = \"veins\"\ntype = \"pressure_source\"\nnode = \"v\"\n"
-                                 "pressure_mmHg = 5.0\n");
+  const Case more = one_beat({},
+                             "[[element]]\nname = \"veins\"\ntype = \"pressure_source\"\nnode = \"v\"\n"
+                             "pressure_mmHg = 5.0\n");
   EXPECT_NE(refusal(more).find("element.veins: is new"), std::string::npos) << refusal(more);
   EXPECT_NE(refusal(one_beat(), more).find("element.veins: is missing now"), std::string::npos);
 }
@@ -56,7 +55,7 @@ TEST(RestartRules, AddedAndRemovedElementsAreNamed)
 TEST(RestartRules, ARegionRefinedByHandMustStay)
 {
   const auto refined = [](const std::string& level) {
-    return one_beat(
+    return tube_case(
         {"grid.levels=3"},
         "[[refine]]\nname = \"jet\"\nlo_cm = [1, 1, 1]\nhi_cm = [2, 2, 2]\nlevel = " + level + "\n");
   };
@@ -74,4 +73,4 @@ TEST(RestartRules, ALongerRunMustKeepTheLengthOfItsBeat)
 }
 
 }  // namespace
-}  // namespace valsalva::run
+}  // namespace valsalva::setup
