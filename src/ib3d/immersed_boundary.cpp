@@ -87,15 +87,11 @@ void ImmersedBoundarySolver::begin_step(double dt)
     interaction_.spread(nodes_.first(), *forced_at, F_, f_);
   }
   const auto scope = timers_.time("momentum");
-  const bool keep = steps_since_convection_ < kStepsOfOneConvection &&
-                    cfl_since_convection_ + convective_cfl(dt) <= fluid_->fluid().convection_cfl;
-  fluid_->begin_step(f_, dt, keep);
-}
-
-double ImmersedBoundarySolver::convective_cfl(double dt) const
-{
   // viscosity has its share of the same stretch of stability (scheme 5.1)
-  return dt * (courant_rate_ + 0.5 / viscous_step_limit(grid_->finest(), fluid_->fluid()));
+  cfl_ = dt * (courant_rate_ + 0.5 / viscous_step_limit(grid_->finest(), fluid_->fluid()));
+  const bool keep = steps_since_convection_ < kStepsOfOneConvection &&
+                    cfl_since_convection_ + cfl_ <= fluid_->fluid().convection_cfl;
+  fluid_->begin_step(f_, dt, keep);
 }
 
 std::vector<double> ImmersedBoundarySolver::solve_fluid(const std::vector<double>& opening_pressure)
@@ -108,7 +104,7 @@ void ImmersedBoundarySolver::accept(const std::vector<double>& phi)
 {
   double fastest = 0;
   steps_since_convection_ = fluid_->rates_found() ? 1 : steps_since_convection_ + 1;
-  cfl_since_convection_ = (fluid_->rates_found() ? 0 : cfl_since_convection_) + convective_cfl(dt_);
+  cfl_since_convection_ = (fluid_->rates_found() ? 0 : cfl_since_convection_) + cfl_;
   {
     const auto scope = timers_.time("projection");
     fluid_->finish_step(phi);

@@ -58,8 +58,6 @@ class ImmersedBoundarySolver {
   void save_or_restore(Checkpoint& c);
 
  private:
-  /// What a step of this length adds to the CFL numbers since convection was found.
-  double convective_cfl(double dt) const;
   /// After nodes of this rank have moved by at most `moved_cells` along any direction.
   void check_and_redistribute(double moved_cells);
   void regrid_if_moved();
@@ -77,7 +75,8 @@ class ImmersedBoundarySolver {
   Markers markers_;
   MacField f_;
   std::vector<Vec3> X_, X_middle_, U_, U_before_, F_;
-  double dt_ = 0, courant_rate_ = 0;
+  double dt_ = 0, cfl_ = 0;  ///< of the step under way; the CFL number with viscosity's share
+  double courant_rate_ = 0;
   std::vector<Vec3> X_of_cuts_;  ///< all nodes where the ranks' regions were chosen
   std::vector<Vec3> X_of_grid_;  ///< all nodes where the grid was last found to fit them
   double moved_cells_ = 0;       ///< bound of how far anything tagged has moved since

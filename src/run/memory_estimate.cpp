@@ -29,9 +29,9 @@ double fields_of(setup::CaseModel& model)
     // that the next finer level sees
     const int velocities = 3 + (implicit ? 3 : 0) + (finest ? 2 : 1);
     bytes += velocities * 3 * kDouble * stored_values(level, ib3d::kMacGhosts);
-    // p of two steps and a mode per opening; conjugate gradients (4), multigrid (2), coefficients (3)
+    // p of three steps and a mode per opening; conjugate gradients (4), multigrid (2), coefficients (3)
     const double modes = static_cast<double>(fluid.openings().size());
-    bytes += ((2 + modes) * kDouble + (4 + 2 + 3) * kFloat) * stored_values(level, 1);
+    bytes += ((3 + modes) * kDouble + (4 + 2 + 3) * kFloat) * stored_values(level, 1);
   }
   return bytes;
 }

@@ -114,7 +114,7 @@ void Snapshots::write_fields(double t)
   for (std::size_t l = 0; l < fluid.u().size(); ++l) {
     const ib3d::Level& level = fluid.grid().levels()[l];
     ib3d::AmrLevel& out = levels.emplace_back(ib3d::AmrLevel{level.h, {}, {}});
-    for (const ib3d::Patch& p : level.patches) out.boxes.push_back({p.box.lo, p.box.hi});
+    for (const ib3d::Patch& p : level.patches) out.boxes.push_back(p.box);
     for (int p = 0; p < level.local_count(); ++p)
       out.local.push_back(block_of(level, fluid.u()[l], fluid.p()[l], p));
   }

@@ -2,7 +2,6 @@
 //   OverlappingAMR    the fields on all levels; a level's blocks stand one after the other, x fastest
 //   UnstructuredGrid  the structure: elements as lines or triangles, points without one as vertices; a piece per rank
 //                     markers as vertices, a piece per rank
-//   ImageData         the fields at the cell centres of one uniform grid, for tools without refinement
 // Arrays are float32, their names carry the units: velocity_cm_s, pressure_mmHg, strain, force_dyn, age_s;
 // `group` is the number of a point's group. The file's root has the attributes time_s and group_names
 // (one name a line). Name the files *.hdf: ParaView 5.11 finds no reader for .vtkhdf; their times belong
@@ -16,14 +15,10 @@
 #include <string>
 #include <vector>
 
+#include "ib3d/grid/index_box.hpp"
 #include "ib3d/structure/elastic_model.hpp"
 
 namespace valsalva::ib3d {
-
-/// Cells lo <= (i, j, k) < hi of one level.
-struct AmrBox {
-  Int3 lo, hi;
-};
 
 /// The values in the cells of box number `order` of its level.
 struct AmrBlock {
@@ -34,7 +29,7 @@ struct AmrBlock {
 
 struct AmrLevel {
   double spacing = 0.0;         ///< cm
-  std::vector<AmrBox> boxes;    ///< all boxes of the level, the same list on every rank
+  std::vector<IndexBox> boxes;  ///< all boxes of the level, the same list on every rank
   std::vector<AmrBlock> local;  ///< this rank's; each box is on one rank
 };
 
@@ -57,11 +52,6 @@ struct MarkerPicture {
 /// `origin` is the corner of cell (0, 0, 0) of every level, cm; levels[0] is the coarsest.
 void write_overlapping_amr(const std::string& path, double time_s, const Vec3& origin,
                            const std::vector<AmrLevel>& levels, MPI_Comm comm);
-
-/// The same fields on the cells of level `at` over the whole domain: coarser levels are repeated, finer ones
-/// averaged. The boxes of levels[0] fill a box, and the others begin and end with its cells.
-void write_image_data(const std::string& path, double time_s, const Vec3& origin,
-                      const std::vector<AmrLevel>& levels, int at, MPI_Comm comm);
 
 /// `group_names[g]` is the name of group g.
 void write_structure(const std::string& path, double time_s, const StructurePicture& structure,

@@ -9,17 +9,10 @@
 namespace valsalva::ib3d {
 namespace {
 
-std::int64_t cell_count(const AmrBox& b)
-{
-  std::int64_t n = 1;
-  for (std::size_t d = 0; d < 3; ++d) n *= b.hi[d] - b.lo[d];
-  return n;
-}
-
-void write_boxes(Hdf5File& file, const std::string& group, const std::vector<AmrBox>& boxes)
+void write_boxes(Hdf5File& file, const std::string& group, const std::vector<IndexBox>& boxes)
 {
   std::vector<int> bounds;
-  for (const AmrBox& b : boxes) {
+  for (const IndexBox& b : boxes) {
     for (std::size_t d = 0; d < 3; ++d) bounds.insert(bounds.end(), {b.lo[d], b.hi[d] - 1});
   }
   file.write(group + "/AMRBox", {std::ssize(boxes), 6}, std::span<const int>(bounds));
@@ -28,7 +21,7 @@ void write_boxes(Hdf5File& file, const std::string& group, const std::vector<Amr
 void write_cell_data(Hdf5File& file, const std::string& group, const AmrLevel& level)
 {
   std::vector<std::int64_t> first{0};
-  for (const AmrBox& b : level.boxes) first.push_back(first.back() + cell_count(b));
+  for (const IndexBox& b : level.boxes) first.push_back(first.back() + b.volume());
 
   std::vector<const AmrBlock*> blocks;
   for (const AmrBlock& b : level.local) blocks.push_back(&b);
@@ -38,7 +31,7 @@ void write_cell_data(Hdf5File& file, const std::string& group, const AmrLevel& l
   std::vector<float> velocity, pressure;
   for (const AmrBlock* b : blocks) {
     const auto order = static_cast<std::size_t>(b->order);
-    const std::int64_t n = cell_count(level.boxes.at(order));
+    const std::int64_t n = level.boxes.at(order).volume();
     vectors.push_back({{first[order], 0}, {n, 3}});
     scalars.push_back({{first[order]}, {n}});
     velocity.insert(velocity.end(), b->velocity.begin(), b->velocity.end());

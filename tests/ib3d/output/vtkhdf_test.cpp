@@ -33,24 +33,14 @@ Vec3 centre(double h, int i, int j, int k)
   return kOrigin + Vec3{h * (i + 0.5), h * (j + 0.5), h * (k + 0.5)};
 }
 
-template <class Visit>
-void for_cells(const AmrBox& b, Visit visit)
-{
-  for (int k = b.lo[2]; k < b.hi[2]; ++k) {
-    for (int j = b.lo[1]; j < b.hi[1]; ++j) {
-      for (int i = b.lo[0]; i < b.hi[0]; ++i) visit(i, j, k);
-    }
-  }
-}
-
 /// Boxes are dealt out to the ranks in turn, the last one first.
-AmrLevel level_of(double h, const std::vector<AmrBox>& boxes)
+AmrLevel level_of(double h, const std::vector<IndexBox>& boxes)
 {
   AmrLevel level{h, boxes, {}};
   for (int order = static_cast<int>(boxes.size()) - 1; order >= 0; --order) {
     if (order % mpi_size() != mpi_rank()) continue;
     AmrBlock block{order, {}, {}};
-    for_cells(boxes[static_cast<std::size_t>(order)], [&](int i, int j, int k) {
+    for_each_index(boxes[static_cast<std::size_t>(order)], [&](int i, int j, int k) {
       const Vec3 x = centre(h, i, j, k), u = velocity_at(x);
       for (double c : u.c) block.velocity.push_back(static_cast<float>(c));
       block.pressure.push_back(pressure_at(x));
@@ -80,8 +70,9 @@ TEST(OverlappingAmr, LinearFieldReadsBackInEveryCellOfEveryLevel)
     const auto box = file.read<int>(group + "AMRBox");
     std::size_t cell = 0;
     for (std::size_t b = 0; b < box.size(); b += 6) {
-      const AmrBox cells{{box[b], box[b + 2], box[b + 4]}, {box[b + 1] + 1, box[b + 3] + 1, box[b + 5] + 1}};
-      for_cells(cells, [&](int i, int j, int k) {
+      const IndexBox cells{{box[b], box[b + 2], box[b + 4]},
+                           {box[b + 1] + 1, box[b + 3] + 1, box[b + 5] + 1}};
+      for_each_index(cells, [&](int i, int j, int k) {
         const Vec3 x = centre(levels[l].spacing, i, j, k), v = velocity_at(x);
         ASSERT_LT(cell, p.size());
         EXPECT_EQ(p[cell], pressure_at(x));
@@ -110,37 +101,6 @@ TEST(OverlappingAmr, LayoutIsWhatTheFormatAsksFor)
   EXPECT_TRUE(file.exists("/VTKHDF/Level0/PointData"));
   EXPECT_TRUE(file.exists("/VTKHDF/Level1/FieldData"));
   EXPECT_FALSE(file.exists("/VTKHDF/Level2"));
-}
-
-TEST(ImageData, FinerLevelsAreAveragedToTheExactValueOfALinearField)
-{
-  const std::string path = shared_file("image.hdf");
-  write_image_data(path, 0.0, kOrigin, two_levels(), 0, MPI_COMM_WORLD);
-  const Hdf5File file = Hdf5File::open(path, MPI_COMM_WORLD);
-  ASSERT_EQ(file.shape("/VTKHDF/PointData/pressure_mmHg"), (common::Shape{3, 6, 8}));
-  const auto p = file.read<float>("/VTKHDF/PointData/pressure_mmHg");
-  const auto u = file.read<float>("/VTKHDF/PointData/velocity_cm_s");
-  EXPECT_EQ(file.read_doubles("/VTKHDF", "Origin"), (std::vector<double>{-0.75, 0.75, 2.25}));
-  EXPECT_EQ(file.read_ints("/VTKHDF", "WholeExtent"), (std::vector<std::int64_t>{0, 7, 0, 5, 0, 2}));
-  std::size_t cell = 0;
-  for_cells({{0, 0, 0}, {8, 6, 3}}, [&](int i, int j, int k) {
-    EXPECT_NEAR(p[cell], pressure_at(centre(0.5, i, j, k)), 1e-5);
-    EXPECT_NEAR(u[3 * cell + 1], velocity_at(centre(0.5, i, j, k))[1], 1e-5);
-    ++cell;
-  });
-}
-
-TEST(ImageData, CoarseCellsAreRepeatedWhereNothingIsFiner)
-{
-  const std::string path = shared_file("image_fine.hdf");
-  write_image_data(path, 0.0, kOrigin, two_levels(), 1, MPI_COMM_WORLD);
-  const Hdf5File file = Hdf5File::open(path, MPI_COMM_WORLD);
-  ASSERT_EQ(file.shape("/VTKHDF/PointData/pressure_mmHg"), (common::Shape{6, 12, 16}));
-  const auto p = file.read<float>("/VTKHDF/PointData/pressure_mmHg");
-  const auto at = [&](std::size_t i, std::size_t j, std::size_t k) { return p[i + 16 * (j + 12 * k)]; };
-  EXPECT_EQ(at(15, 11, 5), pressure_at(centre(0.5, 7, 5, 2)));
-  EXPECT_EQ(at(14, 10, 4), pressure_at(centre(0.5, 7, 5, 2)));
-  EXPECT_EQ(at(8, 7, 3), pressure_at(centre(0.25, 8, 7, 3)));
 }
 
 /// Rank r holds r + 2 points in a row, joined by lines, and one point alone.

@@ -6,26 +6,6 @@
 
 namespace valsalva::ib3d {
 
-template <class T>
-SidePlane<T>::SidePlane(const IndexBox& cells, Side at, T fill)
-    : side(at),
-      lo1(cells.lo[static_cast<std::size_t>(first_tangent(at))]),
-      lo2(cells.lo[static_cast<std::size_t>(second_tangent(at))]),
-      n1(cells.size(first_tangent(at))),
-      n2(cells.size(second_tangent(at))),
-      value(static_cast<std::size_t>(n1) * static_cast<std::size_t>(n2), fill)
-{
-}
-
-template <class T>
-T SidePlane<T>::clamped(int a, int b) const
-{
-  return (*this)(std::clamp(a, lo1, lo1 + n1 - 1), std::clamp(b, lo2, lo2 + n2 - 1));
-}
-
-template struct SidePlane<float>;
-template struct SidePlane<double>;
-
 bool in_disc(const Opening& opening, const Level& level, int a, int b)
 {
   const double x = (a + 0.5) * level.h - opening.centre[first_tangent(opening.side)];

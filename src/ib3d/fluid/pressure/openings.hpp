@@ -41,7 +41,15 @@ struct SidePlane {
   std::vector<T> value;
   SidePlane() = default;
   /// Over the cells of a patch that touches the side, every value `fill`.
-  SidePlane(const IndexBox& cells, Side at, T fill);
+  SidePlane(const IndexBox& cells, Side at, T fill)
+      : side(at),
+        lo1(cells.lo[static_cast<std::size_t>(first_tangent(at))]),
+        lo2(cells.lo[static_cast<std::size_t>(second_tangent(at))]),
+        n1(cells.size(first_tangent(at))),
+        n2(cells.size(second_tangent(at))),
+        value(static_cast<std::size_t>(n1) * static_cast<std::size_t>(n2), fill)
+  {
+  }
   T& operator()(int a, int b) { return value[index(a, b)]; }
   T operator()(int a, int b) const { return value[index(a, b)]; }
   /// Calls f(index, a, b) for every place of the plane, with `along` as its index across the side.
@@ -52,7 +60,10 @@ struct SidePlane {
       for (int a = lo1; a < lo1 + n1; ++a) f(place_at(side, along, a, b), a, b);
   }
   /// Like operator(), with indices outside the plane clamped to it (for corner ghosts).
-  T clamped(int a, int b) const;
+  T clamped(int a, int b) const
+  {
+    return (*this)(std::clamp(a, lo1, lo1 + n1 - 1), std::clamp(b, lo2, lo2 + n2 - 1));
+  }
 
  private:
   std::size_t index(int a, int b) const { return static_cast<std::size_t>((b - lo2) * n1 + (a - lo1)); }
