@@ -1,4 +1,4 @@
-// Nothing is lost between one beat's books and the next.
+// Nothing is lost between one beat's statistics and the next.
 #include "run/beats/beat_statistics.hpp"
 
 #include <gtest/gtest.h>
@@ -34,17 +34,18 @@ BalanceState totals_at(double t)
 TEST(BeatStatistics, BeatsAddUpToTheRunAlsoWhenItEndsWithinOne)
 {
   constexpr double kEnd = 2.0, kStep = 1e-3;
-  BeatStatistics books(kPeriod);
-  books.add(sample_at(0));
-  books.begin(totals_at(0));
-  EXPECT_FALSE(books.under_way());
+  BeatStatistics statistics(kPeriod);
+  statistics.add(sample_at(0));
+  statistics.begin(totals_at(0));
+  EXPECT_FALSE(statistics.has_begun());
   std::vector<BeatMetrics> beats;
   for (int n = 1; n <= 2000; ++n) {
-    books.add(sample_at(n * kStep));
-    if (n * kStep > books.end_s() - 1e-9 || n == 2000) beats.push_back(books.close(totals_at(n * kStep)));
+    statistics.add(sample_at(n * kStep));
+    if (n * kStep > statistics.end_s() - 1e-9 || n == 2000)
+      beats.push_back(statistics.close(totals_at(n * kStep)));
   }
   ASSERT_EQ(beats.size(), 3U);
-  EXPECT_FALSE(books.under_way());
+  EXPECT_FALSE(statistics.has_begun());
   double length = 0, inflow = 0, network = 0, work = 0;
   for (const BeatMetrics& m : beats) {
     EXPECT_EQ(m.beat, &m - beats.data() + 1);

@@ -10,7 +10,7 @@
 #include "coupling/circulation.hpp"
 #include "lumped/specs.hpp"
 #include "setup/build_model.hpp"
-#include "setup/case_keys.hpp"
+#include "setup/read_case.hpp"
 
 namespace valsalva::coupling {
 namespace {
@@ -76,10 +76,9 @@ TEST(OneNetwork, APeriodicStartIsThatOfRankZero)
   const Communicator comm;
   const auto file = std::filesystem::path(VALSALVA_SOURCE_DIR) / "cases/healthy_adult/case.toml";
   const auto start_of = [&](const Communicator& ranks, double factor) {
-    const CaseFile c =
-        CaseFile::read(file.string(), setup::case_keys(),
-                       {"time.start=periodic", "surrogate.area_open_cm2=" + std::to_string(3 * factor)});
-    const setup::NetworkStart start = setup::network_start(c, setup::network_from_case(c), ranks);
+    const setup::Case c = setup::read_case(
+        file.string(), {"time.start=periodic", "surrogate.area_open_cm2=" + std::to_string(3 * factor)});
+    const setup::NetworkStart start = setup::network_start(c, c.network, ranks);
     const Circulation circulation(start.spec, start.state, ranks);
     return std::pair(start.valve_load_mmHg, circulation.state());
   };
