@@ -129,7 +129,8 @@ int run_coupled(const Case& c, const RunOptions& options, const Communicator& co
     if (const ib3d::Markers& markers = model.solver().markers(); markers.lost() > 0)
       log.line(fmt::format("{} of {} markers left the domain", markers.lost(), markers.set_out()));
     if (stopped)
-      log.line(fmt::format("stopped at t = {:.4f} s by a signal; all output is complete up to there", coupled.t()));
+      log.line(fmt::format("stopped at t = {:.4f} s by a signal; all output is complete up to there",
+                           coupled.t()));
     log.line("results in " + options.out_dir);
     const char* purpose = beats.reached() ? "to continue with a smaller time.stop_when_periodic_within:"
                           : stopped       ? "to continue:"

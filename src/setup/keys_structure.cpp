@@ -116,9 +116,10 @@ Section leaflets_section()
                        .in(0.7, 1.2),
                    &LeafletFactors::free_edge),
        per_leaflet(
-           reals("fused_shares", "",
-                 "Fraction of half the free edge that is fused, starting at the commissure, between leaflets 1 "
-                 "and 2, 2 and 3, 3 and 1")
+           reals(
+               "fused_shares", "",
+               "Fraction of half the free edge that is fused, starting at the commissure, between leaflets 1 "
+               "and 2, 2 and 3, 3 and 1")
                .in(0.0, 1.0),
            &LeafletFactors::fused_share)});
 }

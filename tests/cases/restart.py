@@ -166,7 +166,7 @@ def refused(whole, out):
     older, newest = sorted(checkpoints(out).values())
     newest.write_bytes(newest.read_bytes()[:100000])
     said = end(start(out, "--restart", "latest"))
-    expect("passed over" in said and f"continued  from {older}" in said, said)
+    expect("skipped" in said and f"continued  from {older}" in said, said)
     expect_same_end(whole, out)
     (out / "probes.csv").write_text((out / "probes.csv").read_text()[:1000])
     expect("rows that were there at the checkpoint are missing" in end(start(out, "--restart", "latest"), 4), "lost rows")
@@ -174,7 +174,7 @@ def refused(whole, out):
         path.write_bytes(b"nothing")
     expect("no checkpoint" in end(start(out, "--restart", "latest", "--force"), 4), "all checkpoints were unreadable")
     shutil.rmtree(out / "checkpoints")
-    expect("add --force to begin anew" in end(start(out, "--restart", "latest"), 2), "a run without checkpoints")
+    expect("add --force to start again" in end(start(out, "--restart", "latest"), 2), "a run without checkpoints")
 
 
 with tempfile.TemporaryDirectory() as scratch:

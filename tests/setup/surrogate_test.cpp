@@ -118,9 +118,13 @@ density_g_cm3 = 1.05
 TEST(Surrogate, NeedsOneOpeningAtEachEnd)
 {
   const std::string second =
-      "[[opening]]\nname = \"second\"\nside = \"z_hi\"\ncenter_cm = [1.0, 1.0]\nradius_cm = 0.1\nport = "
+      "[[opening]]\nname = \"second\"\nside = \"z_hi\"\ncenter_cm = [0.15, 0.15]\nradius_cm = 0.1\nport = "
       "\"ao\"\n";
-  for (const Case& c : {root_case({"opening.outlet.side=z_lo"}), root_case({"opening.inlet.side=z_hi"}),
+  const auto both_on = [](const std::string& moved) {
+    return root_case({moved, "opening.inlet.radius_cm=0.2", "opening.outlet.radius_cm=0.2",
+                      "opening.outlet.center_cm=[1.6, 1.6]"});
+  };
+  for (const Case& c : {both_on("opening.outlet.side=z_lo"), both_on("opening.inlet.side=z_hi"),
                         root_case({}, second), circulation_case({}, second)})
     EXPECT_NE(complaint([&] { lumped_network(c); }).find("one opening on z_lo to one on z_hi"),
               std::string::npos);

@@ -31,12 +31,11 @@ struct LeafletMaterial {
 
 /// How one leaflet differs from the common LeafletMaterial; as they stand, not at all.
 struct LeafletFactors {
-  double stiffness = 1.0;  ///< of both fibre families
-  double bending = 1.0;    ///< of both bending rigidities
-  double height = 1.0;     ///< of the radial rest ratio
-  double free_edge = 1.0;  ///< of the free edge's rest ratio
-  double fused_share =
-      0.0;  ///< of half the free edge, starting at the commissure, fused to the next leaflet
+  double stiffness = 1.0;    ///< of both fibre families
+  double bending = 1.0;      ///< of both bending rigidities
+  double height = 1.0;       ///< of the radial rest ratio
+  double free_edge = 1.0;    ///< of the free edge's rest ratio
+  double fused_share = 0.0;  ///< of half the free edge, starting at the commissure, fused to the next leaflet
   bool operator==(const LeafletFactors&) const = default;
 };
 
