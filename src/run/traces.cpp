@@ -110,11 +110,13 @@ std::vector<double> Traces::probe_row() const
   const ib3d::ImmersedBoundarySolver& solver = model_.solver();
   const ib3d::Hierarchy& grid = solver.fluid().grid();
   std::vector<double> row{model_.model().t()};
-  for (double p : ib3d::pressure_at(grid, solver.fluid().p(), centre_[0], centre_[1], probes_z_))
+  const auto on_axis = [&](double z) { return Vec3{centre_[0], centre_[1], z}; };
+  std::vector<Vec3> points;
+  for (const double z : probes_z_) points.push_back(on_axis(z));
+  for (double p : ib3d::pressure_at(grid, solver.fluid().p(), points))
     row.push_back(common::mmHg_from_dyn_cm2(p));
   const auto flow_at = [&](double z, double radius) {
-    return radius > 0 ? ib3d::flow_through_disc(grid, solver.fluid().u(), centre_[0], centre_[1], z, radius)
-                      : 0.0;
+    return radius > 0 ? ib3d::flow_through_disc(grid, solver.fluid().u(), 2, on_axis(z), radius) : 0.0;
   };
   const ib3d::Deformation deformed = solver.nodes().part().deformation(solver.X());
   const double upstream = flow_at(upstream_z_, valve_radius_);

@@ -51,12 +51,12 @@ struct Around {
 
 }  // namespace
 
-std::vector<double> pressure_at(const Hierarchy& grid, const CompositeCells<double>& p, double x, double y,
-                                const std::vector<double>& z)
+std::vector<double> pressure_at(const Hierarchy& grid, const CompositeCells<double>& p,
+                                const std::vector<Vec3>& points)
 {
-  std::vector<double> values(z.size(), 0.0);
-  for (std::size_t m = 0; m < z.size(); ++m) {
-    const Around around(grid, Vec3{x, y, z[m]});
+  std::vector<double> values(points.size(), 0.0);
+  for (std::size_t m = 0; m < points.size(); ++m) {
+    const Around around(grid, points[m]);
     const Level& level = grid.level(around.level);
     for (std::size_t c = 0; c < 8; ++c)
       for (int q = 0; q < level.local_count(); ++q)
@@ -68,21 +68,29 @@ std::vector<double> pressure_at(const Hierarchy& grid, const CompositeCells<doub
   return values;
 }
 
-double flow_through_disc(const Hierarchy& grid, const CompositeMac& u, double x, double y, double z, double r)
+double flow_through_disc(const Hierarchy& grid, const CompositeMac& u, int d, const Vec3& centre, double r)
 {
+  const Side side = kSides[static_cast<std::size_t>(2 * d)];
+  const int t1 = first_tangent(side), t2 = second_tangent(side);
   double flow = 0;
   for (int l = 0; l < grid.level_count(); ++l) {
     const Level& level = grid.level(l);
-    const int k = static_cast<int>(std::lround(z / grid.level(0).h)) << l;  // the same plane on all levels
+    const auto distance = [&](const Int3& at, int t) {
+      return (at[static_cast<std::size_t>(t)] + 0.5) * level.h - centre[t];
+    };
+    const auto dd = static_cast<std::size_t>(d);
+    const int face = static_cast<int>(std::lround(centre[d] / grid.level(0).h))
+                     << l;  // the same plane on all levels
     for (int q = 0; q < level.local_count(); ++q) {
       const IndexBox& box = level.local_box(q);
-      const bool last = k == level.box.hi[2] && k == box.hi[2];
-      if (!last && (k < box.lo[2] || k >= box.hi[2])) continue;
-      for (int j = box.lo[1]; j < box.hi[1]; ++j)
-        for (int i = box.lo[0]; i < box.hi[0]; ++i)
-          if (std::hypot((i + 0.5) * level.h - x, (j + 0.5) * level.h - y) <= r &&
-              !grid.covered(l, {i, j, last ? k - 1 : k}))
-            flow += level.h * level.h * u[static_cast<std::size_t>(l)](q, 2)(i, j, k);
+      const bool last = face == level.box.hi[dd] && face == box.hi[dd];
+      if (!last && (face < box.lo[dd] || face >= box.hi[dd])) continue;
+      for_each_index(box.with_range(d, face, 1), [&](int i, int j, int k) {
+        Int3 cell{i, j, k};
+        if (last) --cell[dd];
+        if (std::hypot(distance(cell, t1), distance(cell, t2)) <= r && !grid.covered(l, cell))
+          flow += level.h * level.h * u[static_cast<std::size_t>(l)](q, d)(i, j, k);
+      });
     }
   }
   MPI_Allreduce(MPI_IN_PLACE, &flow, 1, MPI_DOUBLE, MPI_SUM, grid.comm());

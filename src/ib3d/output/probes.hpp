@@ -8,15 +8,13 @@
 
 namespace valsalva::ib3d {
 
-/// Pressure (units of p) at the points (x, y, z_k), trilinear between cell centres (constant beyond the
-/// outermost).
-std::vector<double> pressure_at(const Hierarchy& grid, const CompositeCells<double>& p, double x, double y,
-                                const std::vector<double>& z);
+/// Pressure (units of p) at points (cm), trilinear between cell centres, constant beyond the outermost.
+std::vector<double> pressure_at(const Hierarchy& grid, const CompositeCells<double>& p,
+                                const std::vector<Vec3>& points);
 
-/// Volume flow (ml/s, towards +z) through the disc of radius r (cm) about (x, y) in the plane of faces
-/// of the coarsest level nearest to z.
-double flow_through_disc(const Hierarchy& grid, const CompositeMac& u, double x, double y, double z,
-                         double r);
+/// Volume flow (ml/s, positive along direction d) through the disc of this centre and radius (cm) across d, in the plane of
+/// faces of the coarsest level nearest to the centre.
+double flow_through_disc(const Hierarchy& grid, const CompositeMac& u, int d, const Vec3& centre, double r);
 
 /// Area (cm^2) inside the closed curve of the leaflets' free edges, seen along z; 0 when they overlap, NaN if a position is.
 /// `edges` are the nodes' positions, leaflet after leaflet, each from commissure to commissure.

@@ -6,6 +6,7 @@
 
 #include "common/max_or_nan.hpp"
 #include "ib3d/fluid/order.hpp"
+#include "ib3d/output/probes.hpp"
 
 namespace valsalva::ib3d {
 namespace {
@@ -40,7 +41,7 @@ double rough(int c, const Vec3& x)
 struct Flow {
   Hierarchy grid;
   NavierStokes fluid;
-  std::vector<double> flow;
+  std::vector<double> flow, corrected;
 
   static Hierarchy turned_grid(const Turn& turn, int levels)
   {
@@ -67,6 +68,7 @@ struct Flow {
       flow = fluid.solve_pressure({900, -200});
       fluid.finish_step({50, 20});
     }
+    corrected = OpeningFaces(grid, fluid.openings()).flow(fluid.u());
   }
 };
 
@@ -99,6 +101,21 @@ void expect_turned_flow(int by, int levels, const FluidParameters& parameters)
     }
   }
   EXPECT_NEAR(straight.flow[0] + straight.flow[1], 0, 1e-8 * std::abs(straight.flow[0]));
+
+  const Vec3 middle{0.8, 1.3, 0.5}, inlet{0.9, 1.6, 0};
+  const auto through = [&](const Flow& f, const Turn& t, const Vec3& centre) {
+    return flow_through_disc(f.grid, f.fluid.u(), t(2), t(centre), 0.5);
+  };
+  EXPECT_NEAR(through(straight, {0}, inlet), -straight.corrected[0], 1e-9 * std::abs(straight.corrected[0]));
+  for (const Vec3& centre : {middle, inlet}) {
+    const double flow = through(straight, {0}, centre);
+    EXPECT_NEAR(through(turned, turn, centre), flow, 1e-9 * std::abs(flow));
+  }
+  const std::vector<Vec3> points{{0.3, 0.4, 0.9}, {1.6, 2.2, 3.3}};
+  const std::vector<double> p = pressure_at(straight.grid, straight.fluid.p(), points);
+  const std::vector<double> turned_p =
+      pressure_at(turned.grid, turned.fluid.p(), {turn(points[0]), turn(points[1])});
+  for (std::size_t m = 0; m < points.size(); ++m) EXPECT_NEAR(turned_p[m], p[m], 1e-7 * std::abs(p[m]));
 }
 
 TEST(Openings, OnTheSidesAlongXAndYGiveTheTurnedFlow)

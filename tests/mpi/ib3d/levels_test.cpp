@@ -116,7 +116,7 @@ TEST(Levels, PressureInASphereUnderTensionIsThatOfTheFineGrid)
       root.solve_fluid({0, 0});
       root.accept({0, 0});
     }
-    const std::vector<double> p = pressure_at(root.grid(), root.fluid().p(), 1, 1, {0.5, 2.0});
+    const std::vector<double> p = pressure_at(root.grid(), root.fluid().p(), {{1, 1, 0.5}, {1, 1, 2.0}});
     jumps.push_back(p[1] - p[0]);
   }
   EXPECT_GT(jumps[0], 100);
