@@ -22,10 +22,14 @@ void close_walls(const PressureGrid& grid, MacField& u)
 {
   const Level& level = grid.level();
   for (int p = 0; p < level.local_count(); ++p)
-    for (const SidePlane<float>& theta : grid.shares(p))
-      theta.for_each(level.box.faces_at(theta.side), [&](const Int3& at, int a, int b) {
-        if (theta(a, b) == 0) u(p, axis(theta.side))(at[0], at[1], at[2]) = 0;
+    for (const SidePlane<float>& theta : grid.shares(p)) {
+      Array3<double>& normal = u(p, axis(theta.side));
+      const std::ptrdiff_t step = normal.stride(first_tangent(theta.side));
+      theta.for_each_row(normal, level.box.faces_at(theta.side), [&](double* face, std::size_t first) {
+        for (int a = 0; a < theta.n1; ++a, ++first, face += step)
+          if (theta.value[first] == 0) *face = 0;
       });
+    }
 }
 
 }  // namespace

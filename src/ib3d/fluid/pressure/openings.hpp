@@ -52,7 +52,18 @@ struct SidePlane {
   }
   T& operator()(int a, int b) { return value[index(a, b)]; }
   T operator()(int a, int b) const { return value[index(a, b)]; }
-  /// Calls f(index, a, b) for every place of the plane, with `along` as its index across the side.
+  /// Calls f(address in `array` of the first place, number of its value) for every row of n1 places along the first
+  /// tangent, with `along` as their index across the side.
+  template <class U, class F>
+  void for_each_row(Array3<U>& array, int along, F&& f) const
+  {
+    const Int3 at = place_at(side, along, lo1, lo2);
+    U* place = array.at(at[0], at[1], at[2]);
+    for (int b = 0; b < n2; ++b)
+      f(place + b * array.stride(second_tangent(side)),
+        static_cast<std::size_t>(b) * static_cast<std::size_t>(n1));
+  }
+  /// Calls f(place, a, b) for every place, one by one: for what is built once.
   template <class F>
   void for_each(int along, F&& f) const
   {

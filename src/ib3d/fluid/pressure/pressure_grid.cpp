@@ -31,20 +31,20 @@ template <class T>
 void fill_side(const Level& level, const SidePlane<float>& reflection, Array3<T>& p)
 {
   const Side side = reflection.side;
-  for (int b = reflection.lo2; b < reflection.lo2 + reflection.n2; ++b) {
-    const Int3 at = place_at(side, level.box.cells_outside(side), reflection.lo1, b);
-    fill_line(p.at(at[0], at[1], at[2]),
-              &reflection.value[static_cast<std::size_t>((b - reflection.lo2) * reflection.n1)],
-              inward(side) * p.stride(axis(side)), p.stride(first_tangent(side)), reflection.n1);
-  }
+  const std::ptrdiff_t to_inside = inward(side) * p.stride(axis(side)), step = p.stride(first_tangent(side));
+  reflection.for_each_row(p, level.box.cells_outside(side), [&](T* ghost, std::size_t first) {
+    fill_line(ghost, &reflection.value[first], to_inside, step, reflection.n1);
+  });
 }
 
 /// Adds 2 theta p_b on the cells' ghosts of one side.
 void add_to_side(const Level& level, const SidePlane<float>& theta, const SidePlane<double>& p_b,
                  Array3<double>& p)
 {
-  theta.for_each(level.box.cells_outside(theta.side), [&](const Int3& at, int a, int b) {
-    p(at[0], at[1], at[2]) += 2 * static_cast<double>(theta(a, b)) * p_b(a, b);
+  const std::ptrdiff_t step = p.stride(first_tangent(theta.side));
+  theta.for_each_row(p, level.box.cells_outside(theta.side), [&](double* ghost, std::size_t first) {
+    for (int a = 0; a < theta.n1; ++a, ++first, ghost += step)
+      *ghost += 2 * static_cast<double>(theta.value[first]) * p_b.value[first];
   });
 }
 

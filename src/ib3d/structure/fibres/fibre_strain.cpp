@@ -1,6 +1,6 @@
 #include "ib3d/structure/fibres/fibre_strain.hpp"
 
-#include "common/max_or_nan.hpp"
+#include <algorithm>
 
 namespace valsalva::ib3d {
 
@@ -26,11 +26,12 @@ Strain fibre_strain(const FibreNetwork& network, std::span<const Vec3> X, const 
     if (family == SpringFamily::two_sided && tension_only) continue;
     const auto a = static_cast<std::size_t>(springs.a[n]), b = static_cast<std::size_t>(springs.b[n]);
     double e = norm(X[b] - X[a]) / springs.rest_length[n] - 1.0;
-    if (tension_only) e = max_or_nan(e, 0.0);
+    if (tension_only) e = std::max(e, 0.0);
     strain.mean += e;
-    strain.largest = counted == 0 ? e : max_or_nan(strain.largest, e);
+    strain.largest = counted == 0 ? e : std::max(strain.largest, e);
     ++counted;
   }
+  if (std::isnan(strain.mean)) strain.largest = strain.mean;  // a maximum loses a NaN, a sum does not
   if (counted > 0) strain.mean /= counted;
   return strain;
 }
@@ -38,12 +39,13 @@ Strain fibre_strain(const FibreNetwork& network, std::span<const Vec3> X, const 
 double largest_tether_displacement(const FibreNetwork& network, std::span<const Vec3> X)
 {
   const Tethers& tethers = network.tethers;
-  double largest = 0.0;
+  double largest = 0.0, sum = 0.0;
   for (std::size_t n = 0; n < tethers.node.size(); ++n) {
     const Vec3 away = tethers.target[n] - X[static_cast<std::size_t>(tethers.node[n])];
-    largest = max_or_nan(largest, dot(away, away));
+    largest = std::max(largest, dot(away, away));
+    sum += dot(away, away);
   }
-  return std::sqrt(largest);
+  return std::isnan(sum) ? sum : std::sqrt(largest);
 }
 
 }  // namespace valsalva::ib3d
