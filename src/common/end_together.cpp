@@ -1,7 +1,9 @@
 #include "common/end_together.hpp"
 
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <string>
 #include <thread>
 
@@ -14,7 +16,10 @@ namespace {
 End outcome_of(const std::function<int()>& work)
 {
   try {
-    return {work(), ""};
+    const int code = work();
+    if (std::fflush(stdout) != 0)
+      throw IoError(std::string("cannot write to the terminal: ") + std::strerror(errno));
+    return {code, ""};
   } catch (...) {
     return end_of(std::current_exception());
   }

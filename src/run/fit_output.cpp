@@ -1,10 +1,6 @@
 #include "run/fit_output.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "common/json_text.hpp"
+#include "common/json.hpp"
 #include "common/text_file.hpp"
 #include "common/time_series.hpp"
 #include "lumped/fit/fit_flags.hpp"
@@ -13,43 +9,42 @@ namespace valsalva::run {
 
 namespace {
 
-/// JSON has no infinity.
-std::string json_number(double value)
-{
-  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "null";
-}
+using common::Json;
 
 std::string fit_json(const lumped::Fit& fit)
 {
-  std::vector<std::string> estimates, rows, qualities, flags;
+  const auto number = common::nine_digits;
+  Json estimates = Json::array(), rows = Json::array(), residuals = Json::array();
   for (const lumped::Estimate& e : fit.estimates)
-    estimates.push_back(
-        fmt::format("    {{\"name\": {}, \"start\": {}, \"value\": {}, \"sd\": {}, \"interval_95\": [{}, "
-                    "{}], \"at_bound\": {}}}",
-                    common::json_quoted(e.name), json_number(e.start), json_number(e.value),
-                    json_number(e.sd), json_number(e.lowest), json_number(e.highest), e.at_bound));
+    estimates.push_back({{"name", e.name},
+                         {"start", number(e.start)},
+                         {"value", number(e.value)},
+                         {"sd", number(e.sd)},
+                         {"interval_95", {number(e.lowest), number(e.highest)}},
+                         {"at_bound", e.at_bound}});
   for (Eigen::Index a = 0; a < fit.correlation.rows(); ++a) {
-    std::vector<std::string> row;
-    for (Eigen::Index b = 0; b < fit.correlation.cols(); ++b)
-      row.push_back(json_number(fit.correlation(a, b)));
-    rows.push_back(fmt::format("    [{}]", fmt::join(row, ", ")));
+    Json row = Json::array();
+    for (Eigen::Index b = 0; b < fit.correlation.cols(); ++b) row.push_back(number(fit.correlation(a, b)));
+    rows.push_back(row);
   }
   for (const lumped::FitQuality& q : fit.signals)
-    qualities.push_back(
-        fmt::format("    {{\"name\": {}, \"samples\": {}, \"rms\": {}, \"lag_one_correlation\": {}}}",
-                    common::json_quoted(q.name), q.data.size(), json_number(q.rms), json_number(q.lag_one)));
+    residuals.push_back({{"name", q.name},
+                         {"samples", q.data.size()},
+                         {"rms", number(q.rms)},
+                         {"lag_one_correlation", number(q.lag_one)}});
   for (const lumped::FitQuality& q : fit.summaries)
-    qualities.push_back(fmt::format("    {{\"name\": {}, \"data\": {}, \"model\": {}}}",
-                                    common::json_quoted(q.name), json_number(q.data.front()),
-                                    json_number(q.model.front())));
-  for (const std::string& flag : fit.flags) flags.push_back("    " + common::json_quoted(flag));
-  return fmt::format(
-      "{{\n  \"estimates\": [\n{}\n  ],\n  \"correlation\": [\n{}\n  ],\n  \"residuals\": [\n{}\n  ],\n"
-      "  \"rank\": {},\n  \"condition\": {},\n  \"chi_squared\": {},\n  \"residual_count\": {},\n"
-      "  \"evaluations\": {},\n  \"converged\": {},\n  \"flags\": [\n{}\n  ]\n}}\n",
-      fmt::join(estimates, ",\n"), fmt::join(rows, ",\n"), fmt::join(qualities, ",\n"), fit.rank,
-      json_number(fit.condition), json_number(fit.chi_squared), fit.residual_count, fit.evaluations,
-      fit.converged, fmt::join(flags, ",\n"));
+    residuals.push_back(
+        {{"name", q.name}, {"data", number(q.data.front())}, {"model", number(q.model.front())}});
+  return common::json_text({{"estimates", estimates},
+                            {"correlation", rows},
+                            {"residuals", residuals},
+                            {"rank", fit.rank},
+                            {"condition", number(fit.condition)},
+                            {"chi_squared", number(fit.chi_squared)},
+                            {"residual_count", fit.residual_count},
+                            {"evaluations", fit.evaluations},
+                            {"converged", fit.converged},
+                            {"flags", fit.flags}});
 }
 
 /// All signals come from one CSV, so that they share their times.

@@ -1,14 +1,14 @@
 #include "run/record.hpp"
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 
 #include "common/error.hpp"
-#include "common/json_text.hpp"
+#include "common/json.hpp"
 #include "common/text_file.hpp"
 
 namespace valsalva::run {
@@ -34,13 +34,17 @@ constexpr std::size_t kRoomToEnd = 512;  // bytes more than the record of a run 
 
 std::string text_of(const RunRecord& r, int ranks)
 {
-  return fmt::format(
-      "{{\n  \"case\": {},\n  \"outcome\": {},\n  \"written\": {},\n  \"host\": {},\n  \"ranks\": {},\n  "
-      "\"t_s\": {:.9g},\n"
-      "  \"steps\": {},\n  \"cells\": {},\n  \"nodes\": {},\n  \"wall_s\": {:.3f},\n  \"peak_memory_mb\": "
-      "{:.1f}\n}}\n",
-      common::json_quoted(r.case_path), common::json_quoted(r.outcome), common::json_quoted(utc_now()),
-      common::json_quoted(host_name()), ranks, r.t_s, r.steps, r.cells, r.nodes, r.wall_s, r.peak_memory_mb);
+  return common::json_text({{"case", r.case_path},
+                            {"outcome", r.outcome},
+                            {"written", utc_now()},
+                            {"host", host_name()},
+                            {"ranks", ranks},
+                            {"t_s", common::nine_digits(r.t_s)},
+                            {"steps", r.steps},
+                            {"cells", r.cells},
+                            {"nodes", r.nodes},
+                            {"wall_s", std::round(1e3 * r.wall_s) / 1e3},
+                            {"peak_memory_mb", std::round(10 * r.peak_memory_mb) / 10}});
 }
 
 }  // namespace

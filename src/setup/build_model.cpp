@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "common/error.hpp"
+#include "common/max_or_nan.hpp"
 #include "ib3d/structure/fibres/fibre_files.hpp"
 #include "ib3d/structure/fibres/fibre_model.hpp"
 #include "setup/marker_seeds.hpp"
@@ -69,7 +70,7 @@ BuiltStructure build_structure(const Case& c, double valve_load_mmHg)
   if (c.structure.kind == StructureKind::aortic_root) {
     ib3d::LeafletMaterial leaflets = c.structure.leaflets;
     leaflets.edge_tether_ratio = c.structure.edge_tether_dyn_cm3 / c.structure.wall.tether_stiffness;
-    leaflets.start_pressure_mmHg = std::max(leaflets.start_pressure_mmHg, valve_load_mmHg);
+    leaflets.start_pressure_mmHg = max_or_nan(leaflets.start_pressure_mmHg, valve_load_mmHg);
     ib3d::AorticRoot root = ib3d::design_aortic_root(c.structure.root, leaflets, c.structure.wall,
                                                      finest_spacing(c), c.structure.factors);
     built = {std::move(root.network), root.closed, root.start};

@@ -56,8 +56,8 @@ NetworkStart periodic_start(const Case& c, const lumped::NetworkSpec& spec)
   for (int n = 0; n < kFlowSamples; ++n) times.push_back(twin.period_s * n / kFlowSamples);
   const lumped::SampledBeat beat =
       lumped::sample_beat(twin, cycle, {}, {aortic.flow, aortic.p_ventricle, aortic.p_aorta}, times);
-  const double flow = beat.values(0, 0), peak = beat.values.col(0).maxCoeff();
-  if (!spec.ports.empty() && std::abs(flow) > kRestingFlow * peak)
+  const double flow = beat.values(0, 0), peak = beat.values.col(0).maxCoeff<Eigen::PropagateNaN>();
+  if (!spec.ports.empty() && !(std::abs(flow) <= kRestingFlow * peak))
     throw CaseError(
         "time.start",
         fmt::format("is \"periodic\", but {:.3g} ml/s pass the root when the beat begins (peak {:.3g}) "

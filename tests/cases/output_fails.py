@@ -114,6 +114,8 @@ def limited(scratch):
     with open("/dev/full", "w") as full:
         expect_failure(run(words("lumped_heart", scratch / "mute", {"time.end_s": 0.8}), stdout=full),
                        "cannot write to the terminal: No space left on device", scratch / "mute")
+        for command in ["check", str(root / "cases" / "lumped_heart")], ["keys"]:
+            expect_failure(run([program, *command], stdout=full), "No space left on device")
 
     out = scratch / "root"
     for changes, what in [({"output.fields_every_s": 0.001}, "/fields_"), ({}, "/checkpoint_")]:

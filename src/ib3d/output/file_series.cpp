@@ -4,26 +4,27 @@
 
 #include <filesystem>
 #include <fstream>
-#include <regex>
-#include <system_error>
 #include <utility>
 
 #include "common/error.hpp"
+#include "common/json.hpp"
+#include "common/text_file.hpp"
 
 namespace valsalva::ib3d {
+
+using common::Json;
 
 FileSeries::FileSeries(std::string path) : path_(std::move(path))
 {
   if (!std::filesystem::exists(path_)) return;
   std::ifstream in(path_);
-  const std::regex entry(R"re(\{ "name" : "([^"]+)", "time" : ([^ ]+) \})re");
-  bool recognised = false;
-  for (std::string line; std::getline(in, line);) {
-    std::smatch found;
-    if (line.find("file-series-version") != std::string::npos) recognised = true;
-    if (std::regex_search(line, found, entry)) entries_.push_back({found[1], std::stod(found[2])});
+  try {
+    const Json series = Json::parse(in);
+    series.at("file-series-version");
+    for (const Json& entry : series.at("files")) entries_.push_back({entry.at("name"), entry.at("time")});
+  } catch (const Json::exception&) {
+    throw IoError(path_ + ": not a file series; remove it or choose another output folder");
   }
-  if (!recognised) throw IoError(path_ + ": not a file series; remove it or choose another output folder");
 }
 
 void FileSeries::cut_to(int count)
@@ -42,21 +43,9 @@ void FileSeries::add(const std::string& name, double time_s)
 
 void FileSeries::write() const
 {
-  const std::string part = path_ + ".part";
-  {
-    std::ofstream out(part);
-    out << "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [\n";
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-      out << fmt::format("    {{ \"name\" : \"{}\", \"time\" : {} }}{}\n", entries_[i].name,
-                         entries_[i].time_s, i + 1 < entries_.size() ? "," : "");
-    }
-    out << "  ]\n}\n";
-    out.close();
-    if (!out) throw IoError(part + ": could not be written");
-  }
-  std::error_code failed;
-  std::filesystem::rename(part, path_, failed);
-  if (failed) throw IoError(path_ + ": could not be renamed from " + part + " (" + failed.message() + ")");
+  Json files = Json::array();
+  for (const Entry& entry : entries_) files.push_back({{"name", entry.name}, {"time", entry.time_s}});
+  common::write_text_file(path_, common::json_text({{"file-series-version", "1.0"}, {"files", files}}));
 }
 
 std::string numbered_file(const std::string& stem, int number)

@@ -29,10 +29,16 @@ TEST(FileSeries, IsTheJsonThatParaViewReads)
   std::stringstream text;
   text << std::ifstream(path).rdbuf();
   EXPECT_EQ(text.str(), R"({
-  "file-series-version" : "1.0",
-  "files" : [
-    { "name" : "fields_0000.hdf", "time" : 0 },
-    { "name" : "fields_0001.hdf", "time" : 0.0125 }
+  "file-series-version": "1.0",
+  "files": [
+    {
+      "name": "fields_0000.hdf",
+      "time": 0.0
+    },
+    {
+      "name": "fields_0001.hdf",
+      "time": 0.0125
+    }
   ]
 }
 )");
@@ -56,8 +62,11 @@ TEST(FileSeries, ContinuedRunReplacesTheEntriesAfterItsCheckpoint)
 TEST(FileSeries, RefusesAFileThatIsSomethingElse)
 {
   const std::string path = own_file("other.series");
-  std::ofstream(path) << "precious\n";
-  EXPECT_THROW(FileSeries{path}, IoError);
+  for (const char* text :
+       {"precious\n", "{}", R"({"file-series-version": "1.0", "files": [{"name": "x"}]})"}) {
+    std::ofstream(path) << text;
+    EXPECT_THROW(FileSeries{path}, IoError) << text;
+  }
 }
 
 }  // namespace
