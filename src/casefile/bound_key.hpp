@@ -97,7 +97,7 @@ struct BoundKey {
       : key(bound.optional()),
         get([=](const T& t) {
           const auto found = std::find(values.begin(), values.end(), std::invoke(member, t));
-          return CaseValue(bound.choices[static_cast<std::size_t>(found - values.begin()) % values.size()]);
+          return CaseValue(bound.choices[static_cast<std::size_t>(found - values.begin())]);
         }),
         set([=](T& t, const CaseValue& value) {
           const auto word =

@@ -36,7 +36,7 @@ std::vector<T> gather_lists(const T* mine, int count, MPI_Comm comm)
 
 class Communicator {
  public:
-  explicit Communicator(MPI_Comm comm = MPI_COMM_WORLD) : comm_(comm)
+  explicit Communicator(MPI_Comm comm) : comm_(comm)
   {
     int running = 0, ended = 0;
     MPI_Initialized(&running);

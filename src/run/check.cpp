@@ -7,7 +7,6 @@
 
 #include "common/progress.hpp"
 #include "run/describe.hpp"
-#include "run/lumped_loop.hpp"
 #include "run/memory_estimate.hpp"
 #include "run/record.hpp"
 
@@ -65,7 +64,6 @@ std::string step_line(const setup::CaseModel& model, const coupling::StepControl
 std::string describe_case(const setup::Case& c, const Communicator& comm)
 {
   if (c.is_lumped()) {
-    check_lumped_run(c);
     const lumped::LumpedNetwork network(c.network);
     return fmt::format("0D only: {} states, {} nodes, {} valves", network.state_count(), network.node_count(),
                        network.valve_count());

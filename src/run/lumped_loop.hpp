@@ -6,9 +6,6 @@
 
 namespace valsalva::run {
 
-/// CaseError for a case that cannot run in 0D, whatever `check` and `run` do next.
-void check_lumped_run(const Case& c);
-
 /// As `run_case`, in 0D whatever the case. Rank 0 computes; collective.
 int run_lumped(const Case& c, const RunOptions& options, const Communicator& comm);
 

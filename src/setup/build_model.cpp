@@ -14,15 +14,10 @@ namespace valsalva::setup {
 
 namespace {
 
-double finest_spacing(const Case& c)
-{
-  return ib3d::finest_spacing(c.domain, c.grid.finest_cm, c.grid.refinement.levels);
-}
-
 /// Every node must lie in the box; the tube may touch its sides.
 void check_inside(const Case& c, const ib3d::FibreNetwork& network)
 {
-  const double slack = 1e-9 * finest_spacing(c);
+  const double slack = 1e-9 * c.finest_spacing();
   for (const Vec3& x : network.X)
     for (int d = 0; d < 3; ++d)
       if (x[d] < -slack || x[d] > c.domain.size[d] + slack)
@@ -72,7 +67,7 @@ BuiltStructure build_structure(const Case& c, double valve_load_mmHg)
     leaflets.edge_tether_ratio = c.structure.edge_tether_dyn_cm3 / c.structure.wall.tether_stiffness;
     leaflets.start_pressure_mmHg = max_or_nan(leaflets.start_pressure_mmHg, valve_load_mmHg);
     ib3d::AorticRoot root = ib3d::design_aortic_root(c.structure.root, leaflets, c.structure.wall,
-                                                     finest_spacing(c), c.structure.factors);
+                                                     c.finest_spacing(), c.structure.factors);
     built = {std::move(root.network), root.closed, root.start};
   } else if (c.structure.kind == StructureKind::files) {
     built.network = ib3d::read_fibre_files(c.path_of(c.structure.files_prefix));

@@ -122,6 +122,11 @@ struct Case {
   casefile::CaseFile source;  ///< where every value stands, for refusals and copies of the case
 
   bool is_lumped() const { return openings.empty(); }
+  /// Spacing of the finest level, cm; CaseError with spacings that would do where finest_cm does not divide the box.
+  double finest_spacing() const
+  {
+    return ib3d::finest_spacing(domain, grid.finest_cm, grid.refinement.levels);
+  }
   /// A file that the case names, relative to its folder.
   std::string path_of(const std::string& file) const;
 };

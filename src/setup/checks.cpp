@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "setup/aortic_valve.hpp"
 #include "setup/marker_seeds.hpp"
 
 namespace valsalva::setup {
@@ -27,18 +28,16 @@ void check_time(const Case& c, Problems& problems)
     add(problems, "time.start", "is \"periodic\", but time.period_s is 0; set it to the length of a beat");
 }
 
-/// A 0D case has nothing but its network.
+/// A 0D case has nothing but its network, and beats only where there is a valve.
 void check_lumped(const Case& c, Problems& problems)
 {
-  if (c.structure.kind != StructureKind::none)
-    add(problems, "structure.kind",
-        "needs a 3D run, but the case has no [[opening]]; add one, or set kind = \"none\"");
-  for (const Refine& r : c.refine)
-    add(problems, "refine." + r.name,
-        "needs a 3D run, but the case has no [[opening]]; add one, or remove this");
-  for (const MarkerGroup& m : c.markers)
-    add(problems, "markers." + m.name,
-        "needs a 3D run, but the case has no [[opening]]; add one, or remove this");
+  if (c.time.stop_when_periodic_within > 0 && find_aortic_valve(c.network).flow.empty())
+    add(problems, "time.stop_when_periodic_within",
+        "compares beats, but the case has no valve from which beats are measured; remove this key");
+  const std::string needs = "needs a 3D run, but the case has no [[opening]]; add one, or ";
+  if (c.structure.kind != StructureKind::none) add(problems, "structure.kind", needs + "set kind = \"none\"");
+  for (const Refine& r : c.refine) add(problems, "refine." + r.name, needs + "remove this");
+  for (const MarkerGroup& m : c.markers) add(problems, "markers." + m.name, needs + "remove this");
 }
 
 void check_grid(const Case& c, Problems& problems)
@@ -50,7 +49,7 @@ void check_grid(const Case& c, Problems& problems)
     add(problems, "pressure.solver",
         "is \"pfmg\", which handles one level only; use \"multilevel\" or grid.levels = 1");
   try {
-    ib3d::finest_spacing(c.domain, c.grid.finest_cm, policy.levels);
+    c.finest_spacing();
   } catch (const CaseError& error) {
     problems.insert(problems.end(), error.problems().begin(), error.problems().end());
   }

@@ -28,7 +28,7 @@ struct Planes {
       : root(c.structure.root),
         spacing(group.spacing_cm),
         disc_radius(group.radius_cm > 0 ? group.radius_cm : radius_without_root(c)),
-        wall_spacing(ib3d::finest_spacing(c.domain, c.grid.finest_cm, c.grid.refinement.levels)),
+        wall_spacing(c.finest_spacing()),
         heights(group.z_cm),
         centre(group.centre_cm ? *group.centre_cm : std::array{root.centre[0], root.centre[1]})
   {

@@ -17,8 +17,10 @@ bool may_change(const std::string& key)
 
 double beat_of(const casefile::CaseFile& file)
 {
-  const casefile::CaseTable& time = file.section("time");
-  return time.real("period_s") > 0 ? time.real("period_s") : time.real("end_s");
+  Time time;
+  time.end_s = file.section("time").real("end_s");
+  time.period_s = file.section("time").real("period_s");
+  return time.beat_s();
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST(RunLog, FileHoldsLinesAndWarningsButNoLiveLine)
 
 TEST(OneRank, ReductionsReturnTheirArgument)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   EXPECT_EQ(comm.size(), 1);
   EXPECT_TRUE(comm.is_rank_0());
   EXPECT_EQ(comm.sum(2.5), 2.5);
@@ -92,7 +92,7 @@ TEST(OneRank, ReductionsReturnTheirArgument)
 
 TEST(ExitCodes, FollowTheKindOfError)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   EXPECT_EQ(end_together(comm, [] { return 0; }), 0);
   EXPECT_EQ(end_together(comm, []() -> int { throw CaseError("a", "b"); }), 2);
   EXPECT_EQ(end_together(comm, []() -> int { throw SolverError("s"); }), 3);
@@ -102,7 +102,7 @@ TEST(ExitCodes, FollowTheKindOfError)
 
 TEST(OutputFolder, IsReplacedOnlyIfForcedAndOnlyIfItHoldsARun)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "valsalva_out";
   std::filesystem::remove_all(folder);
   create_output_folder(folder.string(), false, "title = ''\n", comm);

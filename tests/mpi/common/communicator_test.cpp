@@ -12,7 +12,7 @@ namespace valsalva::common {
 
 TEST(Ranks, SumRunsInRankOrderAndIsTheSameEverywhere)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   double in_order = 0.0;
   for (int r = 0; r < comm.size(); ++r) in_order += 1.0 / (3.0 + r);
   const double sum = comm.sum(1.0 / (3.0 + comm.rank()));
@@ -22,7 +22,7 @@ TEST(Ranks, SumRunsInRankOrderAndIsTheSameEverywhere)
 
 TEST(Ranks, LargestSmallestAndAnyAreOverAllRanks)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   EXPECT_EQ(comm.max(comm.rank()), comm.size() - 1.0);
   EXPECT_EQ(comm.min(-comm.rank()), 1.0 - comm.size());
   EXPECT_TRUE(comm.any(comm.rank() == comm.size() - 1));
@@ -32,7 +32,7 @@ TEST(Ranks, LargestSmallestAndAnyAreOverAllRanks)
 
 TEST(Ranks, ANanOfOneRankIsTheLargestAndTheSmallest)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   for (int r = 0; r < comm.size(); ++r) {
     const double x = comm.rank() == r ? std::numeric_limits<double>::quiet_NaN() : 1.0;
     EXPECT_TRUE(std::isnan(comm.max(x)));
@@ -42,13 +42,13 @@ TEST(Ranks, ANanOfOneRankIsTheLargestAndTheSmallest)
 
 TEST(Ranks, ErrorFoundByAllEndsAllWithTheSameCode)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   EXPECT_EQ(end_together(comm, []() -> int { throw CaseError("time.end_s", "printed once"); }), 2);
 }
 
 TEST(Ranks, ErrorOfOneRankAtTheEndIsTheCodeOfAll)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   const auto last_rank_fails = [&] {
     if (comm.rank() == comm.size() - 1) throw IoError("printed once, by the last rank");
     return 0;
@@ -58,7 +58,7 @@ TEST(Ranks, ErrorOfOneRankAtTheEndIsTheCodeOfAll)
 
 TEST(OnRankZero, AFailureOfRankZeroIsAFailureOfAllRanks)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   int runs = 0;
   on_rank_0(comm, [&] { ++runs; });
   EXPECT_EQ(comm.sum(runs), 1);
@@ -70,7 +70,7 @@ TEST(OnRankZero, AFailureOfRankZeroIsAFailureOfAllRanks)
 
 TEST(OnRankZero, ItsNumbersAreThoseOfAllRanks)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   std::vector<double> values{-1.0, 1.0 * comm.rank()};
   on_rank_0(
       comm,
@@ -86,7 +86,7 @@ TEST(OnRankZero, ItsNumbersAreThoseOfAllRanks)
 
 TEST(NoteFailure, RankZeroNotesWhatAllRanksFailWith)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   int notes = 0;
   EXPECT_THROW(note_failure(
                    comm, [] { throw IoError("on all"); }, [&] { ++notes; }),

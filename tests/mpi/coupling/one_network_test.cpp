@@ -55,7 +55,7 @@ Course course(const Communicator& comm, double Rp)
 
 TEST(OneNetwork, IsThatOfRankZeroToTheBit)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   const Course expected = course(Communicator(MPI_COMM_SELF), 0.79);
   const Course found = course(comm, 0.79 + 0.1 * comm.rank());
   EXPECT_EQ(found.numbers, expected.numbers);
@@ -65,7 +65,7 @@ TEST(OneNetwork, IsThatOfRankZeroToTheBit)
 
 TEST(OneNetwork, ItsFailureIsThatOfAllRanks)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   Circulation circulation(network(0.79), comm);
   const double flow = comm.is_rank_0() ? std::nan("") : 1.0;
   EXPECT_THROW(circulation.advance(kDt, {0, 0}, {0, flow}), SolverError);
@@ -73,7 +73,7 @@ TEST(OneNetwork, ItsFailureIsThatOfAllRanks)
 
 TEST(OneNetwork, APeriodicStartIsThatOfRankZero)
 {
-  const Communicator comm;
+  const Communicator comm(MPI_COMM_WORLD);
   const auto file = std::filesystem::path(VALSALVA_SOURCE_DIR) / "cases/healthy_adult/case.toml";
   const auto start_of = [&](const Communicator& ranks, double factor) {
     const setup::Case c = setup::read_case(

@@ -65,8 +65,8 @@ void compare(const TangleRun& one, const TangleRun& many, double& speed, double&
         speed = max_or_nan(speed, std::abs(expected));
         difference = max_or_nan(difference, std::abs(many.root.fluid().u()[0](p, c)(i, j, k) - expected));
       });
-  speed = Communicator().max(speed);
-  difference = Communicator().max(difference);
+  speed = Communicator(MPI_COMM_WORLD).max(speed);
+  difference = Communicator(MPI_COMM_WORLD).max(difference);
 }
 
 std::vector<Vec3> positions(const TangleRun& run)

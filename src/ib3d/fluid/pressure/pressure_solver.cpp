@@ -1,8 +1,7 @@
 #include "ib3d/fluid/pressure/pressure_solver.hpp"
 
-#include <fmt/format.h>
+#include <stdexcept>
 
-#include "common/error.hpp"
 #include "ib3d/fluid/pressure/multilevel.hpp"
 
 namespace valsalva::ib3d {
@@ -13,14 +12,10 @@ PressureSolver::PressureSolver(const Hierarchy& grid, const std::vector<Opening>
 {
   if (options.solver == "multilevel")
     preconditioner_ = std::make_unique<Multilevel>(problem_);
-  else if (options.solver == "pfmg" && grid.level_count() > 1)
-    throw CaseError("pressure.solver",
-                    "is \"pfmg\", which knows one level only; use \"multilevel\" or grid.levels = 1");
-  else if (options.solver == "pfmg")
+  else if (options.solver == "pfmg" && grid.level_count() == 1)
     preconditioner_ = std::make_unique<HyprePfmg>(problem_.grid(0), 1);
   else
-    throw CaseError("pressure.solver",
-                    fmt::format("is \"{}\"; known solvers are \"multilevel\" and \"pfmg\"", options.solver));
+    throw std::invalid_argument("no pressure solver \"" + options.solver + "\" for this number of levels");
   krylov_ = std::make_unique<FlexibleCg>(problem_, *preconditioner_);
 }
 

@@ -18,7 +18,7 @@ struct PressureOptions {
 
 class PressureSolver {
  public:
-  /// Throws CaseError("pressure.solver") for an unknown name, or "pfmg" with refined levels. `grid` and
+  /// std::invalid_argument for an unknown name, or "pfmg" with refined levels. `grid` and
   /// `transfers` must outlive the object. Collective.
   PressureSolver(const Hierarchy& grid, const std::vector<Opening>& openings, const PressureOptions& options,
                  std::vector<CoarseFine>& transfers);
